@@ -13,8 +13,8 @@ namespace pilothouse {
 /// One entry of a PointCloud2's field list, as received (untrusted).
 struct CloudField {
   std::string_view name;
-  std::uint32_t offset;    ///< bytes from the start of a point
-  std::uint8_t datatype;   ///< sensor_msgs/PointField datatype; 7 is float32
+  std::uint32_t offset;   ///< bytes from the start of a point
+  std::uint8_t datatype;  ///< sensor_msgs/PointField datatype; 7 is float32
   std::uint32_t count;
 };
 
@@ -28,7 +28,7 @@ struct CloudBytes {
   const CloudField* fields;
   std::size_t field_count;
   const std::uint8_t* data;
-  std::size_t size;          ///< bytes at data
+  std::size_t size;  ///< bytes at data
 };
 
 /// Largest cloud that is read: 2^22 points, 2^28 bytes, 64 fields.
@@ -44,6 +44,11 @@ struct CloudBounds {
 class CloudView {
  public:
   /// Refuses, with the reason, whatever cannot be read safely. Looks at sizes before any byte.
+  /// Accepted: x y z once each, float32, count 1 (or 0, which many publishers leave), inside the
+  /// point and apart from one another; any further fields; a row_step with padding, also missing
+  /// after the last row; more data than needed. A cloud without points (width or height 0) says
+  /// "nothing measured" and opens as a view of 0 x 0, its fields checked all the same.
+  /// Refused: big endian.
   static Checked<CloudView> open(const CloudBytes& bytes, const CloudBounds& bounds = {});
 
   std::uint32_t width() const { return width_; }
@@ -54,10 +59,8 @@ class CloudView {
   std::uint32_t xOffset() const { return x_offset_; }
   std::uint32_t yOffset() const { return y_offset_; }
   std::uint32_t zOffset() const { return z_offset_; }
-  /// width * pointStep readable bytes of the row. @param row below height().
-  const std::uint8_t* row(std::uint32_t row) const {
-    return data_ + std::size_t{row} * row_step_;
-  }
+  /// width * pointStep readable bytes of the row, of any alignment. @param row below height().
+  const std::uint8_t* row(std::uint32_t row) const { return data_ + std::size_t{row} * row_step_; }
   /// Point in column `col` of row `row`, [m].
   Eigen::Vector3f point(std::uint32_t row_index, std::uint32_t col) const {
     const std::uint8_t* p = row(row_index) + std::size_t{col} * point_step_;

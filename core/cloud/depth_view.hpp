@@ -22,10 +22,10 @@ struct DepthBytes {
   std::string_view encoding;
   bool is_bigendian;
   const std::uint8_t* data;
-  std::size_t size;    ///< bytes at data
-  std::uint32_t info_width;   ///< CameraInfo; must agree with the image
+  std::size_t size;          ///< bytes at data
+  std::uint32_t info_width;  ///< CameraInfo; must agree with the image
   std::uint32_t info_height;
-  Intrinsics intrinsics;      ///< CameraInfo P (rectified) or K
+  Intrinsics intrinsics;  ///< CameraInfo P (rectified) or K
 };
 
 /// Largest image that is read: 8192 pixels a side, 2^24 pixels.
@@ -38,8 +38,12 @@ enum class DepthEncoding { kMillimetres16, kMetres32 };
 
 /// Checked, non-owning view over a depth image: 16UC1 in millimetres (0: no measurement) or 32FC1
 /// in metres (NaN, infinite or not positive: no measurement). Depth is along the optical axis.
+/// mono16, which some drivers send, is read as 16UC1.
 class DepthView {
  public:
+  /// Refuses, with the reason, whatever cannot be read safely. Looks at sizes before any byte.
+  /// Refused besides: an image without pixels, big endian, a step that splits a pixel, a CameraInfo
+  /// of another size, focal lengths outside 1 to 100000 pixels (0: the camera is not calibrated).
   static Checked<DepthView> open(const DepthBytes& bytes, const DepthBounds& bounds = {});
 
   std::uint32_t width() const { return width_; }
@@ -47,7 +51,8 @@ class DepthView {
   std::uint32_t step() const { return step_; }
   DepthEncoding encoding() const { return encoding_; }
   const Intrinsics& intrinsics() const { return intrinsics_; }
-  /// Bytes of a row: width() pixels are readable. @param row below height().
+  /// Bytes of a row: width() pixels are readable. Their alignment is that of the data received:
+  /// copy, do not cast. @param row below height().
   const std::uint8_t* row(std::uint32_t row) const { return data_ + std::size_t{row} * step_; }
   /// Depth in metres at (row, col); 0 where there is no measurement.
   float metres(std::uint32_t row_index, std::uint32_t col) const;

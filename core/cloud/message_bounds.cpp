@@ -1,0 +1,120 @@
+#include "core/cloud/message_bounds.hpp"
+
+#include <algorithm>
+
+namespace pilothouse {
+namespace {
+
+/// Walks over serialised bytes. After the first fault every further step does nothing.
+class WireWalk {
+ public:
+  WireWalk(const std::uint8_t* bytes, std::size_t size)
+      : next_(bytes), left_(bytes == nullptr ? 0 : size) {}
+
+  void skip(std::uint64_t count, const char* thing) {
+    if (fault_) return;
+    if (count > left_) {
+      fault_ = LengthFault{thing, count, left_};
+      return;
+    }
+    next_ += count;
+    left_ -= static_cast<std::size_t>(count);
+  }
+
+  std::uint32_t length(const char* thing) {
+    const std::uint8_t* at = next_;
+    skip(4, thing);
+    if (fault_) return 0;
+    return static_cast<std::uint32_t>(at[0]) | static_cast<std::uint32_t>(at[1]) << 8U |
+           static_cast<std::uint32_t>(at[2]) << 16U | static_cast<std::uint32_t>(at[3]) << 24U;
+  }
+
+  /// A length prefix and as many elements, each at least `element` bytes. Leaves the elements to
+  /// the caller.
+  std::uint32_t count(const char* thing, std::uint64_t most, std::uint64_t element) {
+    const std::uint32_t claimed = length(thing);
+    if (fault_) return 0;
+    const std::uint64_t limit = std::min<std::uint64_t>(most, left_ / element);
+    if (claimed <= limit) return claimed;
+    fault_ = LengthFault{thing, claimed, limit};
+    return 0;
+  }
+
+  void array(const char* thing, std::uint64_t most, std::uint64_t element) {
+    skip(count(thing, most, element) * element, thing);
+  }
+
+  void header(const MessageBounds& bounds) {
+    skip(12, "header");  // seq, stamp
+    array("frame_id", bounds.max_text, 1);
+  }
+
+  std::optional<LengthFault> end() {
+    if (!fault_ && left_ > 0) fault_ = LengthFault{"bytes after the message", left_, 0};
+    return fault_;
+  }
+
+ private:
+  const std::uint8_t* next_;
+  std::size_t left_;
+  std::optional<LengthFault> fault_;
+};
+
+}  // namespace
+
+std::string describe(const LengthFault& fault) {
+  return std::string("length of ") + fault.thing + " is " + std::to_string(fault.value) +
+         ", expected 0 to " + std::to_string(fault.limit);
+}
+
+std::optional<LengthFault> pointCloud2Fault(const std::uint8_t* bytes, std::size_t size,
+                                            const MessageBounds& bounds) {
+  constexpr std::uint64_t kLeastField = 4 + 4 + 1 + 4;  // empty name, offset, datatype, count
+  WireWalk walk(bytes, size);
+  walk.header(bounds);
+  walk.skip(8, "height and width");
+  const std::uint32_t fields = walk.count("PointCloud2 fields", bounds.max_fields, kLeastField);
+  for (std::uint32_t i = 0; i < fields; ++i) {
+    walk.array("PointCloud2 field name", bounds.max_text, 1);
+    walk.skip(9, "PointCloud2 field");
+  }
+  walk.skip(9, "PointCloud2 steps");  // is_bigendian, point_step, row_step
+  walk.array("PointCloud2 data", bounds.max_data, 1);
+  walk.skip(1, "is_dense");
+  return walk.end();
+}
+
+std::optional<LengthFault> imageFault(const std::uint8_t* bytes, std::size_t size,
+                                      const MessageBounds& bounds) {
+  WireWalk walk(bytes, size);
+  walk.header(bounds);
+  walk.skip(8, "height and width");
+  walk.array("Image encoding", bounds.max_text, 1);
+  walk.skip(5, "Image step");  // is_bigendian, step
+  walk.array("Image data", bounds.max_data, 1);
+  return walk.end();
+}
+
+std::optional<LengthFault> compressedImageFault(const std::uint8_t* bytes, std::size_t size,
+                                                const MessageBounds& bounds) {
+  WireWalk walk(bytes, size);
+  walk.header(bounds);
+  walk.array("CompressedImage format", bounds.max_text, 1);
+  walk.array("CompressedImage data", bounds.max_data, 1);
+  return walk.end();
+}
+
+std::optional<LengthFault> cameraInfoFault(const std::uint8_t* bytes, std::size_t size,
+                                           const MessageBounds& bounds) {
+  constexpr std::uint64_t kMatrices = (9 + 9 + 12) * 8;  // K, R, P
+  constexpr std::uint64_t kBinningAndRoi = 2 * 4 + 4 * 4 + 1;
+  WireWalk walk(bytes, size);
+  walk.header(bounds);
+  walk.skip(8, "height and width");
+  walk.array("CameraInfo distortion_model", bounds.max_text, 1);
+  walk.array("CameraInfo D", bounds.max_coefficients, 8);
+  walk.skip(kMatrices + kBinningAndRoi, "CameraInfo matrices");
+  return walk.end();
+}
+
+}  // namespace pilothouse

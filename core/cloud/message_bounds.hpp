@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace pilothouse {
+
+/// Largest lengths that a serialised sensor message may claim.
+struct MessageBounds {
+  std::size_t max_text = 1024;                  ///< bytes of a frame, encoding or field name
+  std::size_t max_fields = 64;                  ///< entries of a PointCloud2's field list
+  std::size_t max_data = std::size_t{1} << 28;  ///< bytes of pixels or points
+  std::size_t max_coefficients = 64;            ///< distortion coefficients of a CameraInfo
+};
+
+/// A length in a serialised message that does not fit its bytes or its bounds.
+struct LengthFault {
+  const char* thing;    ///< what the length belongs to; a literal
+  std::uint64_t value;  ///< as claimed
+  std::uint64_t limit;  ///< largest that would have been accepted here
+};
+
+/// "length of PointCloud2 fields is 40000000, expected 0 to 64".
+std::string describe(const LengthFault& fault);
+
+/// Walk the length prefixes of a message in the ROS 1 wire format (little endian, a uint32 before
+/// every text and array) and return the first that does not fit the bytes or the bounds; nothing
+/// when the message may be deserialised. Neither allocates nor reads outside [bytes, bytes + size).
+/// They exist because deserialisers allocate what a prefix claims before they look whether it can
+/// be true: 64 bytes that claim 40 million fields cost roscpp 1.8 GB. Sizes that contradict each
+/// other (width, steps, data) are the business of CloudView and DepthView.
+std::optional<LengthFault> pointCloud2Fault(const std::uint8_t* bytes, std::size_t size,
+                                            const MessageBounds& bounds = {});
+std::optional<LengthFault> imageFault(const std::uint8_t* bytes, std::size_t size,
+                                      const MessageBounds& bounds = {});
+std::optional<LengthFault> compressedImageFault(const std::uint8_t* bytes, std::size_t size,
+                                                const MessageBounds& bounds = {});
+std::optional<LengthFault> cameraInfoFault(const std::uint8_t* bytes, std::size_t size,
+                                           const MessageBounds& bounds = {});
+
+}  // namespace pilothouse

@@ -1,0 +1,33 @@
+// Subscribes to points and tells what became of each cloud. With ~guarded false it does so as any
+// node would, which shows what the guard is for.
+#include <ros/ros.h>
+#include <std_msgs/String.h>
+#include <std_msgs/UInt32.h>
+
+#include "nodelets/guarded_subscriber.hpp"
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "guarded_listener");
+  ros::NodeHandle nh;
+  ros::Publisher accepted = nh.advertise<std_msgs::UInt32>("accepted", 100);
+  ros::Publisher refused = nh.advertise<std_msgs::String>("refused", 100);
+  const boost::function<void(const sensor_msgs::PointCloud2ConstPtr&)> on_cloud =
+      [&accepted](const sensor_msgs::PointCloud2ConstPtr& cloud) {
+        std_msgs::UInt32 width;
+        width.data = cloud->width;
+        accepted.publish(width);
+      };
+  bool guarded = true;
+  ros::NodeHandle("~").getParam("guarded", guarded);
+  ros::Subscriber points = guarded
+                               ? pilothouse::subscribeGuarded<sensor_msgs::PointCloud2>(
+                                     nh, "points", 100, on_cloud,
+                                     [&refused](const std::string& reason) {
+                                       std_msgs::String text;
+                                       text.data = reason;
+                                       refused.publish(text);
+                                     })
+                               : nh.subscribe<sensor_msgs::PointCloud2>("points", 100, on_cloud);
+  ros::spin();
+  return 0;
+}
