@@ -5,8 +5,12 @@
 
 namespace pilothouse {
 
-BinningKernel fastestKernel() { return BinningKernel::kReference; }
-bool isSupported(BinningKernel kernel) { return kernel == BinningKernel::kReference; }
+BinningKernel fastestKernel() {
+  return BinningKernel::kReference;
+}
+bool isSupported(BinningKernel kernel) {
+  return kernel == BinningKernel::kReference;
+}
 
 void Binner::configure(const GridGeometry& geometry, const HeightScale& scale) {
   geometry_ = geometry;
@@ -25,8 +29,7 @@ void Binner::add(float x, float y, float z) {
   const float steps = (z - scale_.low) * (1.0F / scale_.step) + 0.5F;
   const auto q = static_cast<std::uint32_t>(
       std::clamp(steps, 0.0F, static_cast<float>(HeightScale::kMaxStep)));
-  CellMoments& cell =
-      moments_[geometry_.index(static_cast<int>(gx), static_cast<int>(gy))];
+  CellMoments& cell = moments_[geometry_.index(static_cast<int>(gx), static_cast<int>(gy))];
   ++cell.count;
   cell.sum += q;
   cell.sum_square += std::uint64_t{q} * q;

@@ -11,7 +11,7 @@ enum class CellClass : std::uint8_t {
   kFloor = 1,      ///< drivable
   kThreshold = 2,  ///< drivable, slowly
   kObstacle = 3,
-  kDropOff = 4,    ///< edge of a step down and what lies beyond
+  kDropOff = 4,  ///< edge of a step down and what lies beyond
 };
 
 inline bool isDrivable(CellClass c) {

@@ -6,6 +6,8 @@
 namespace pilothouse {
 namespace {
 
+constexpr double kMaxCells = 1e6;
+
 void require(std::vector<std::string>& faults, const char* key, double value, double low,
              double high) {
   if (std::isfinite(value) && value >= low && value <= high) return;
@@ -37,6 +39,13 @@ std::vector<std::string> validate(const FloorParameters& p) {
   }
   if (p.x_min > p.range - p.cell_size) {
     require(faults, "x_min", p.x_min, -20.0, p.range - p.cell_size);
+  }
+  const double cells = (p.range - p.x_min) / p.cell_size * (2.0 * p.half_width / p.cell_size);
+  if (cells > kMaxCells) {
+    std::ostringstream line;
+    line << "cell_size is " << p.cell_size << " and makes a grid of " << cells
+         << " cells, expected at most " << kMaxCells;
+    faults.push_back(line.str());
   }
   return faults;
 }

@@ -1,28 +1,67 @@
 #include "core/floor/floor_segmenter.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
-#include "core/floor/binner.hpp"
+#include "core/floor/cell_statistics.hpp"
+#include "core/floor/improved_method.hpp"
+#include "core/floor/original_method.hpp"
 
 namespace pilothouse {
+namespace {
+
+constexpr double kFinestStep = 0.001;  // heights are counted in steps of 1 mm where they fit [m]
+
+GridGeometry geometryOf(const FloorParameters& p) {
+  GridGeometry g;
+  g.cell_size = static_cast<float>(p.cell_size);
+  g.x_min = static_cast<float>(p.x_min);
+  g.y_min = static_cast<float>(-p.half_width);
+  g.size_x = static_cast<int>(std::lround((p.range - p.x_min) / p.cell_size));
+  g.size_y = static_cast<int>(std::lround(2.0 * p.half_width / p.cell_size));
+  return g;
+}
+
+HeightScale scaleOf(const FloorParameters& p) {
+  HeightScale scale;
+  scale.low = static_cast<float>(-p.depth_below);
+  scale.high = static_cast<float>(p.clear_height);
+  scale.step = static_cast<float>(
+      std::max(kFinestStep, (p.clear_height + p.depth_below) / HeightScale::kMaxStep));
+  return scale;
+}
+
+}  // namespace
 
 struct FloorSegmenter::Impl {
   FloorParameters parameters;
-  Binner binner;
-  FloorGrid grid;
   HeightScale scale;
+  Binner binner;
+  ImprovedMethod improved;
+  MountingCalibrator calibrator;
+  FloorGrid grid;
+  Eigen::Isometry3f T_used = Eigen::Isometry3f::Identity();
 
-  void judge(const std::vector<CellMoments>& moments);
+  template <class View>
+  const FloorGrid& segment(const View& view, const Eigen::Isometry3f& T_configured) {
+    T_used = parameters.calibrate_mounting ? calibrator.corrected(T_configured) : T_configured;
+    fillStatistics(binner.bin(view, T_used), scale, parameters.min_points, grid);
+    if (parameters.method == FloorMethod::kOriginal) {
+      judgeOriginal(parameters, grid);
+    } else {
+      improved.judge(T_used, grid);
+    }
+    calibrator.add(grid, T_used, T_configured);
+    return grid;
+  }
 };
 
-FloorSegmenter::FloorSegmenter(const FloorParameters& parameters) : impl_(std::make_unique<Impl>()) {
+FloorSegmenter::FloorSegmenter(const FloorParameters& parameters)
+    : impl_(std::make_unique<Impl>()) {
   setParameters(parameters);
 }
 FloorSegmenter::~FloorSegmenter() = default;
-
-const FloorParameters& FloorSegmenter::parameters() const { return impl_->parameters; }
 
 void FloorSegmenter::setParameters(const FloorParameters& p) {
   const auto faults = validate(p);
@@ -32,51 +71,41 @@ void FloorSegmenter::setParameters(const FloorParameters& p) {
     throw std::invalid_argument(text);
   }
   impl_->parameters = p;
-  GridGeometry& g = impl_->grid.geometry;
-  g.cell_size = static_cast<float>(p.cell_size);
-  g.x_min = static_cast<float>(p.x_min);
-  g.y_min = static_cast<float>(-p.half_width);
-  g.size_x = static_cast<int>(std::lround((p.range - p.x_min) / p.cell_size));
-  g.size_y = static_cast<int>(std::lround(2.0 * p.half_width / p.cell_size));
-  impl_->scale.low = static_cast<float>(-p.depth_below);
-  impl_->scale.high = static_cast<float>(p.clear_height);
-  impl_->binner.configure(g, impl_->scale);
-  impl_->grid.classes.assign(g.cells(), CellClass::kUnknown);
-  impl_->grid.heights.assign(g.cells(), 0.0F);
-  impl_->grid.deviations.assign(g.cells(), 0.0F);
-  impl_->grid.counts.assign(g.cells(), 0);
+  impl_->scale = scaleOf(p);
+  FloorGrid& grid = impl_->grid;
+  grid.geometry = geometryOf(p);
+  impl_->binner.configure(grid.geometry, impl_->scale);
+  impl_->improved.configure(p, grid.geometry);
+  grid.classes.assign(grid.geometry.cells(), CellClass::kUnknown);
+  grid.heights.assign(grid.geometry.cells(), 0.0F);
+  grid.deviations.assign(grid.geometry.cells(), 0.0F);
+  grid.counts.assign(grid.geometry.cells(), 0);
 }
 
-void FloorSegmenter::Impl::judge(const std::vector<CellMoments>& moments) {
-  const float nan = std::numeric_limits<float>::quiet_NaN();
-  for (std::size_t i = 0; i < moments.size(); ++i) {
-    const CellMoments& m = moments[i];
-    grid.counts[i] = m.count;
-    if (m.count < static_cast<std::uint32_t>(parameters.min_points)) {
-      grid.classes[i] = CellClass::kUnknown;
-      grid.heights[i] = grid.deviations[i] = nan;
-      continue;
-    }
-    const double n = m.count;
-    const double mean = static_cast<double>(m.sum) / n;
-    const double variance = static_cast<double>(m.sum_square) / n - mean * mean;
-    grid.heights[i] = static_cast<float>(scale.low + scale.step * mean);
-    grid.deviations[i] = static_cast<float>(scale.step * std::sqrt(std::max(0.0, variance)));
-    grid.classes[i] = grid.deviations[i] > parameters.obstacle_deviation ? CellClass::kObstacle
-                                                                        : CellClass::kFloor;
-  }
+const FloorParameters& FloorSegmenter::parameters() const {
+  return impl_->parameters;
+}
+void FloorSegmenter::useKernel(BinningKernel kernel) {
+  impl_->binner.useKernel(kernel);
+}
+const MountingEstimate& FloorSegmenter::mounting() const {
+  return impl_->calibrator.estimate();
+}
+const Eigen::Isometry3f& FloorSegmenter::mountingUsed() const {
+  return impl_->T_used;
+}
+void FloorSegmenter::reset() {
+  impl_->calibrator.reset();
 }
 
 const FloorGrid& FloorSegmenter::segment(const CloudView& cloud,
                                          const Eigen::Isometry3f& T_base_camera) {
-  impl_->judge(impl_->binner.bin(cloud, T_base_camera));
-  return impl_->grid;
+  return impl_->segment(cloud, T_base_camera);
 }
 
 const FloorGrid& FloorSegmenter::segment(const DepthView& depth,
                                          const Eigen::Isometry3f& T_base_optical) {
-  impl_->judge(impl_->binner.bin(depth, T_base_optical));
-  return impl_->grid;
+  return impl_->segment(depth, T_base_optical);
 }
 
 }  // namespace pilothouse

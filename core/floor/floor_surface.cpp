@@ -1,0 +1,98 @@
+#include "core/floor/floor_surface.hpp"
+
+#include <algorithm>
+
+namespace pilothouse {
+namespace {
+
+constexpr int kBlock = 6;           // cells a side
+constexpr double kFewestCells = 6;  // below, a fit says nothing
+// Pulls slopes to the whole floor's where the cells lie on a line; as strong as a few cells that
+// lie 10 cm apart.
+constexpr double kSlopePrior = 0.05;
+
+}  // namespace
+
+void FloorSurface::configure(const GridGeometry& geometry) {
+  geometry_ = geometry;
+  blocks_x_ = (geometry.size_x + kBlock - 1) / kBlock;
+  blocks_y_ = (geometry.size_y + kBlock - 1) / kBlock;
+  const auto blocks = static_cast<std::size_t>(blocks_x_) * static_cast<std::size_t>(blocks_y_);
+  sums_.assign(blocks, Sums::Zero());
+  planes_.assign(blocks, FloorSlope{});
+  solved_.assign(blocks, 0);
+  whole_ = FloorSlope{};
+}
+
+void FloorSurface::fit(const std::vector<std::uint8_t>& is_floor,
+                       const std::vector<float>& heights) {
+  std::fill(sums_.begin(), sums_.end(), Sums::Zero());
+  std::fill(solved_.begin(), solved_.end(), std::uint8_t{0});
+  Sums all = Sums::Zero();
+  for (int iy = 0; iy < geometry_.size_y; ++iy) {
+    const double y = geometry_.centreY(iy);
+    for (int bx = 0; bx < blocks_x_; ++bx) {
+      Sums row = Sums::Zero();
+      const int end = std::min((bx + 1) * kBlock, geometry_.size_x);
+      double n = 0, sx = 0, sxx = 0, sh = 0, sxh = 0;
+      for (int ix = bx * kBlock; ix < end; ++ix) {
+        const std::size_t i = geometry_.index(ix, iy);
+        if (is_floor[i] == 0) continue;
+        const double x = geometry_.centreX(ix);
+        const double h = heights[i];
+        n += 1.0;
+        sx += x;
+        sxx += x * x;
+        sh += h;
+        sxh += x * h;
+      }
+      if (n == 0.0) continue;
+      row << n, sx, n * y, sxx, sx * y, n * y * y, sh, sxh, sh * y;
+      sums_[static_cast<std::size_t>((iy / kBlock) * blocks_x_ + bx)] += row;
+    }
+  }
+  for (const Sums& s : sums_) all += s;
+  whole_ = all[0] >= kFewestCells ? solve(all, FloorSlope{}) : FloorSlope{};
+}
+
+FloorSlope FloorSurface::solve(const Sums& s, const FloorSlope& prior) {
+  // About the centroid, as the difference to the prior's slopes.
+  const double n = s[0];
+  const double mx = s[1] / n, my = s[2] / n, mh = s[6] / n;
+  const double cxx = s[3] - n * mx * mx, cxy = s[4] - n * mx * my, cyy = s[5] - n * my * my;
+  const double cxh = s[7] - n * mx * mh - prior.slope_x * cxx - prior.slope_y * cxy;
+  const double cyh = s[8] - n * my * mh - prior.slope_x * cxy - prior.slope_y * cyy;
+  const double axx = cxx + kSlopePrior, ayy = cyy + kSlopePrior;
+  const double determinant = axx * ayy - cxy * cxy;  // positive: Cauchy-Schwarz and the prior
+  FloorSlope plane;
+  plane.slope_x = prior.slope_x + (ayy * cxh - cxy * cyh) / determinant;
+  plane.slope_y = prior.slope_y + (axx * cyh - cxy * cxh) / determinant;
+  plane.height = mh - plane.slope_x * mx - plane.slope_y * my;
+  return plane;
+}
+
+const FloorSlope& FloorSurface::local(int bx, int by) {
+  const auto block = static_cast<std::size_t>(by * blocks_x_ + bx);
+  if (solved_[block] != 0) return planes_[block];
+  solved_[block] = 1;
+  planes_[block] = whole_;
+  for (int radius = 1; radius <= 2; ++radius) {
+    Sums sums = Sums::Zero();
+    for (int y = std::max(0, by - radius); y <= std::min(blocks_y_ - 1, by + radius); ++y) {
+      for (int x = std::max(0, bx - radius); x <= std::min(blocks_x_ - 1, bx + radius); ++x) {
+        sums += sums_[static_cast<std::size_t>(y * blocks_x_ + x)];
+      }
+    }
+    if (sums[0] < kFewestCells) continue;
+    planes_[block] = solve(sums, whole_);
+    break;
+  }
+  return planes_[block];
+}
+
+float FloorSurface::expected(int ix, int iy) {
+  const FloorSlope& plane = local(ix / kBlock, iy / kBlock);
+  return static_cast<float>(plane.at(geometry_.centreX(ix), geometry_.centreY(iy)));
+}
+
+}  // namespace pilothouse

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "core/floor/floor_grid.hpp"
+
+namespace pilothouse {
+
+/// z = height + slope_x x + slope_y y in the base frame.
+struct FloorSlope {
+  double height = 0.0;   ///< at the origin [m]
+  double slope_x = 0.0;  ///< [m/m]
+  double slope_y = 0.0;
+  double at(double x, double y) const { return height + slope_x * x + slope_y * y; }
+};
+
+/// The floor's height where it is not seen: planes fitted to known floor cells round the place.
+/// Sums are kept per block of cells, so that each fit costs nine blocks, not hundreds of cells.
+class FloorSurface {
+ public:
+  void configure(const GridGeometry& geometry);
+  /// Fits anew. @param is_floor one entry a cell, non-zero where the cell belongs to the floor;
+  /// @param heights [m], read only there.
+  void fit(const std::vector<std::uint8_t>& is_floor, const std::vector<float>& heights);
+  /// Floor height expected at the centre of a cell [m]: from the blocks round it, where these hold
+  /// floor; else from the whole floor's plane.
+  float expected(int ix, int iy);
+  /// The plane through all floor cells; level at height 0 before the first fit or without floor.
+  const FloorSlope& whole() const { return whole_; }
+
+ private:
+  using Sums = Eigen::Matrix<double, 9, 1>;
+  static FloorSlope solve(const Sums& sums, const FloorSlope& prior);
+  const FloorSlope& local(int bx, int by);
+
+  GridGeometry geometry_;
+  int blocks_x_ = 0, blocks_y_ = 0;
+  std::vector<Sums> sums_;
+  std::vector<FloorSlope> planes_;
+  std::vector<std::uint8_t> solved_;
+  FloorSlope whole_;
+};
+
+}  // namespace pilothouse

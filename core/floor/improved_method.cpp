@@ -1,0 +1,196 @@
+#include "core/floor/improved_method.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pilothouse {
+namespace {
+
+constexpr float kSeedHalfWidth =
+    0.75F;                           // the robot's floor is looked for this far to the sides [m]
+constexpr float kSeedDepth = 0.5F;   // and this far beyond the nearest cell seen [m]
+constexpr float kTiltSlack = 0.06F;  // tan 3.4 deg: a mounting not yet calibrated [m/m]
+constexpr int kOffsetSamples = 15;
+
+}  // namespace
+
+void ImprovedMethod::configure(const FloorParameters& parameters, const GridGeometry& geometry) {
+  parameters_ = parameters;
+  geometry_ = geometry;
+  noise_known_ = false;
+  noise_variance_.assign(geometry.cells(), 0.0F);
+  even_.assign(geometry.cells(), 0);
+  floor_.assign(geometry.cells(), 0);
+  kinds_.reserve(geometry.cells());
+  offsets_.reserve(kOffsetSamples + 1);
+  patches_.configure(geometry);
+  surface_.configure(geometry);
+}
+
+void ImprovedMethod::judge(const Eigen::Isometry3f& T_base_camera, FloorGrid& grid) {
+  updateNoise(T_base_camera);
+  findEven(grid);
+  patches_.find(grid, even_, static_cast<float>(parameters_.step_height));
+  kinds_.assign(patches_.patches().size(), PatchKind::kUndecided);
+  std::fill(floor_.begin(), floor_.end(), std::uint8_t{0});
+  const int robot = robotPatch(grid);
+  if (robot >= 0) {
+    kinds_[static_cast<std::size_t>(robot)] = PatchKind::kFloor;
+    joinIslands(grid);
+  }
+  classify(grid);
+  markHiddenByEdge(T_base_camera.translation(), grid);
+}
+
+void ImprovedMethod::updateNoise(const Eigen::Isometry3f& T_base_camera) {
+  if (noise_known_ && T_base_camera.matrix() == T_base_camera_.matrix()) return;
+  noise_known_ = true;
+  T_base_camera_ = T_base_camera;
+  const Eigen::Vector3f camera = T_base_camera.translation();
+  const Eigen::Vector3f axis = T_base_camera.linear().col(2);
+  const auto sigma_floor = static_cast<float>(parameters_.noise_floor);
+  const auto sigma_slope = static_cast<float>(parameters_.noise_slope);
+  for (int iy = 0; iy < geometry_.size_y; ++iy) {
+    for (int ix = 0; ix < geometry_.size_x; ++ix) {
+      const Eigen::Vector3f ray =
+          Eigen::Vector3f(geometry_.centreX(ix), geometry_.centreY(iy), 0.0F) - camera;
+      const float depth = std::max(0.1F, ray.dot(axis));
+      // A depth error moves the point along its ray, so its height by camera.z / depth of it.
+      const float sigma_depth = sigma_floor + sigma_slope * (depth - 0.4F) * (depth - 0.4F);
+      const float sigma_height = sigma_depth * camera.z() / depth;
+      noise_variance_[geometry_.index(ix, iy)] = sigma_height * sigma_height;
+    }
+  }
+}
+
+void ImprovedMethod::findEven(const FloorGrid& grid) {
+  const auto limit = static_cast<float>(parameters_.obstacle_deviation);
+  const float variance_limit = limit * limit;
+  for (std::size_t i = 0; i < even_.size(); ++i) {
+    const float d = grid.deviations[i];
+    // NaN, that is unknown, is not even.
+    even_[i] = d * d - noise_variance_[i] <= variance_limit ? 1 : 0;
+  }
+}
+
+int ImprovedMethod::robotPatch(const FloorGrid& grid) const {
+  const auto height_limit = [&](float x) {
+    return static_cast<float>(parameters_.seed_height) + kTiltSlack * std::abs(x);
+  };
+  int nearest = geometry_.size_x;
+  for (std::size_t i = 0; i < even_.size(); ++i) {
+    const int ix = static_cast<int>(i % static_cast<std::size_t>(geometry_.size_x));
+    if (even_[i] != 0 && ix < nearest) nearest = ix;
+  }
+  const int farthest = nearest + static_cast<int>(kSeedDepth / geometry_.cell_size);
+  int best = -1, best_score = 0;
+  for (std::size_t number = 0; number < patches_.patches().size(); ++number) {
+    const FloorPatch& patch = patches_.patches()[number];
+    int score = 0;
+    for (std::uint32_t k = patch.first; k < patch.first + patch.size; ++k) {
+      const auto cell = static_cast<int>(patches_.cells()[k]);
+      const int ix = cell % geometry_.size_x;
+      const int iy = cell / geometry_.size_x;
+      if (ix > farthest || std::abs(geometry_.centreY(iy)) > kSeedHalfWidth) continue;
+      const float height = grid.heights[static_cast<std::size_t>(cell)];
+      if (std::abs(height) <= height_limit(geometry_.centreX(ix))) ++score;
+    }
+    if (score > best_score) {
+      best_score = score;
+      best = static_cast<int>(number);
+    }
+  }
+  return best;
+}
+
+/// Median difference between the patch's heights and the floor expected there [m].
+float ImprovedMethod::patchOffset(const FloorPatch& patch, const FloorGrid& grid) {
+  offsets_.clear();
+  const std::uint32_t stride = std::max<std::uint32_t>(1, patch.size / kOffsetSamples);
+  for (std::uint32_t k = 0; k < patch.size && offsets_.size() < kOffsetSamples; k += stride) {
+    const auto cell = static_cast<int>(patches_.cells()[patch.first + k]);
+    offsets_.push_back(grid.heights[static_cast<std::size_t>(cell)] -
+                       surface_.expected(cell % geometry_.size_x, cell / geometry_.size_x));
+  }
+  const auto middle = offsets_.begin() + static_cast<std::ptrdiff_t>(offsets_.size() / 2);
+  std::nth_element(offsets_.begin(), middle, offsets_.end());
+  return *middle;
+}
+
+void ImprovedMethod::joinIslands(const FloorGrid& grid) {
+  const auto tolerance = static_cast<float>(parameters_.step_height);
+  // Twice: what joins in the first round carries the surface on to what lies behind it.
+  for (int round = 0; round < 2; ++round) {
+    for (std::size_t number = 0; number < kinds_.size(); ++number) {
+      if (kinds_[number] != PatchKind::kFloor) continue;
+      const FloorPatch& patch = patches_.patches()[number];
+      for (std::uint32_t k = patch.first; k < patch.first + patch.size; ++k) {
+        floor_[patches_.cells()[k]] = 1;
+      }
+    }
+    surface_.fit(floor_, grid.heights);
+    bool joined = false;
+    for (std::size_t number = 0; number < kinds_.size(); ++number) {
+      if (kinds_[number] == PatchKind::kFloor) continue;
+      const float offset = patchOffset(patches_.patches()[number], grid);
+      kinds_[number] = std::abs(offset) <= tolerance ? PatchKind::kFloor
+                       : offset > 0.0F               ? PatchKind::kAbove
+                                                     : PatchKind::kBelow;
+      joined = joined || kinds_[number] == PatchKind::kFloor;
+    }
+    if (!joined) return;
+  }
+}
+
+void ImprovedMethod::classify(FloorGrid& grid) {
+  const auto threshold = static_cast<float>(parameters_.threshold_deviation);
+  const float threshold_variance = threshold * threshold;
+  const auto step = static_cast<float>(parameters_.step_height);
+  const std::vector<std::int32_t>& patch_of = patches_.patchOf();
+  for (std::size_t i = 0; i < grid.classes.size(); ++i) {
+    if (grid.classes[i] == CellClass::kUnknown) continue;
+    if (patch_of[i] < 0) {
+      const int cell = static_cast<int>(i);
+      const float floor = surface_.expected(cell % geometry_.size_x, cell / geometry_.size_x);
+      grid.classes[i] = grid.heights[i] < floor - step ? CellClass::kDropOff : CellClass::kObstacle;
+      continue;
+    }
+    switch (kinds_[static_cast<std::size_t>(patch_of[i])]) {
+      case PatchKind::kFloor: {
+        const float variance = grid.deviations[i] * grid.deviations[i] - noise_variance_[i];
+        grid.classes[i] = variance > threshold_variance ? CellClass::kThreshold : CellClass::kFloor;
+        break;
+      }
+      case PatchKind::kBelow:
+        grid.classes[i] = CellClass::kDropOff;
+        break;
+      case PatchKind::kAbove:
+      case PatchKind::kUndecided:  // no floor at the robot: nothing is known to be drivable
+        grid.classes[i] = CellClass::kObstacle;
+        break;
+    }
+  }
+}
+
+void ImprovedMethod::markHiddenByEdge(const Eigen::Vector3f& camera, FloorGrid& grid) {
+  for (std::size_t i = 0; i < grid.classes.size(); ++i) {
+    // Cells marked here have no height and start no walk of their own.
+    if (grid.classes[i] != CellClass::kDropOff || std::isnan(grid.heights[i])) continue;
+    const int cell = static_cast<int>(i);
+    const auto x = static_cast<float>(cell % geometry_.size_x);
+    const auto y = static_cast<float>(cell / geometry_.size_x);
+    const float dx = (camera.x() - geometry_.x_min) / geometry_.cell_size - 0.5F - x;
+    const float dy = (camera.y() - geometry_.y_min) / geometry_.cell_size - 0.5F - y;
+    const float length = std::max(std::abs(dx), std::abs(dy));
+    for (float s = 1.0F; s < length; s += 1.0F) {
+      const int ix = static_cast<int>(std::lround(x + dx * s / length));
+      const int iy = static_cast<int>(std::lround(y + dy * s / length));
+      if (!geometry_.contains(ix, iy)) break;
+      CellClass& hidden = grid.classes[geometry_.index(ix, iy)];
+      if (hidden != CellClass::kUnknown) break;
+      hidden = CellClass::kDropOff;
+    }
+  }
+}
+
+}  // namespace pilothouse

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <vector>
+
+#include "core/floor/floor_grid.hpp"
+#include "core/floor/floor_parameters.hpp"
+#include "core/floor/floor_patches.hpp"
+#include "core/floor/floor_surface.hpp"
+
+namespace pilothouse {
+
+/// The original method's deviation limit, and what cures its two defects (flat tops that read as
+/// floor, drop-offs that read as floor):
+///  1. cells whose deviation, less what the sensor's noise explains, is within the limit are even;
+///  2. even cells are flooded into patches, in steps of at most step_height;
+///  3. the patch at the robot is its floor; a patch beyond a shadow joins where it continues the
+///     floor's surface, lies below as a drop-off or above as an obstacle otherwise;
+///  4. what a drop-off's edge hides, from the floor to the lower level along the ray, is drop-off.
+class ImprovedMethod {
+ public:
+  void configure(const FloorParameters& parameters, const GridGeometry& geometry);
+  /// @param grid with statistics filled in; its classes are overwritten.
+  /// @param T_base_camera from the camera's optical frame into the base frame.
+  void judge(const Eigen::Isometry3f& T_base_camera, FloorGrid& grid);
+
+ private:
+  enum class PatchKind : std::uint8_t { kUndecided, kFloor, kAbove, kBelow };
+
+  void updateNoise(const Eigen::Isometry3f& T_base_camera);
+  void findEven(const FloorGrid& grid);
+  int robotPatch(const FloorGrid& grid) const;
+  void joinIslands(const FloorGrid& grid);
+  float patchOffset(const FloorPatch& patch, const FloorGrid& grid);
+  void classify(FloorGrid& grid);
+  void markHiddenByEdge(const Eigen::Vector3f& camera, FloorGrid& grid);
+
+  FloorParameters parameters_;
+  GridGeometry geometry_;
+  Eigen::Isometry3f T_base_camera_ = Eigen::Isometry3f::Identity();
+  bool noise_known_ = false;
+  std::vector<float> noise_variance_;  // of heights, a cell [m^2]
+  std::vector<std::uint8_t> even_;
+  std::vector<std::uint8_t> floor_;  // even cells of patches that are floor
+  std::vector<PatchKind> kinds_;
+  std::vector<float> offsets_;  // scratch of patchOffset
+  FloorPatches patches_;
+  FloorSurface surface_;
+};
+
+}  // namespace pilothouse
