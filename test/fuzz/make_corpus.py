@@ -1,0 +1,103 @@
+#!/usr/bin/env python3
+"""Write the seeds of the fuzz targets into corpus/TARGET beside this file. Run it after changing
+what an input looks like (cloud_input.hpp, depth_input.hpp, fuzz_*.cpp), and commit the result."""
+import os
+import struct
+
+XYZ = [(0, 0, 7, 1), (1, 4, 7, 1), (2, 8, 7, 1)]  # name's number, offset, datatype, count
+
+
+def floats(*values):
+    return struct.pack("<%df" % len(values), *values)
+
+
+def cloud(width, height, step, row_step=None, fields=XYZ, data=None, flags=0):
+    row_step = width * step if row_step is None else row_step
+    head = struct.pack("<IIIIBB", width, height, step, row_step, flags, len(fields))
+    head += b"".join(struct.pack("<BIBI", *field) for field in fields)
+    return head + (bytes(height * row_step) if data is None else data)
+
+
+def depth(width, height, pixel, encoding, data=None, step=None, info=None, f=500.0, flags=0):
+    step = width * pixel if step is None else step
+    info = info or (width, height)
+    head = struct.pack("<IIIBBII4d", width, height, step, encoding, flags, *info, f, f,
+                       width / 2.0, height / 2.0)
+    return head + (bytes(height * step) if data is None else data)
+
+
+def text(value):
+    return struct.pack("<I", len(value)) + value
+
+
+HEADER = bytes(12) + text(b"camera")
+
+
+def cloud_message(fields=1, data=4):
+    return (HEADER + struct.pack("<III", 1, 1, fields) + text(b"x") + struct.pack("<IBI", 0, 7, 1) +
+            struct.pack("<BIII", 0, 4, 4, data) + bytes(4) + b"\1")
+
+
+def image_message(data=2):
+    return HEADER + struct.pack("<II", 1, 1) + text(b"16UC1") + struct.pack("<BII", 0, 2, data) + bytes(2)
+
+
+def info_message(coefficients=5):
+    return (HEADER + struct.pack("<II", 1, 1) + text(b"plumb_bob") +
+            struct.pack("<I", coefficients) + bytes(40 + 240 + 25))
+
+
+CORPUS = {
+    "cloud_view": {
+        "organised": cloud(3, 2, 16, data=floats(*range(24))),
+        "unorganised": cloud(4, 1, 12, data=floats(*range(12))),
+        "padded": cloud(2, 2, 16, row_step=40),
+        "odd_step": cloud(2, 2, 13),
+        "empty": cloud(0, 0, 12),
+        "not_finite": cloud(2, 1, 12, data=floats(float("nan"), 0, 1, float("inf"), -1e38, 1e38)),
+        "reordered": cloud(2, 1, 20, fields=[(2, 0, 7, 1), (3, 4, 6, 1), (0, 8, 7, 0), (1, 16, 7, 1)]),
+        "short": cloud(2, 2, 12, data=bytes(47)),
+        "huge": cloud(0xFFFFFFFF, 0xFFFFFFFF, 12, row_step=12, data=b""),
+        "overflow": cloud(4, 1, 0x40000000, row_step=0, data=b""),
+        "offset": cloud(1, 1, 12, fields=[(0, 0xFFFFFFFC, 7, 1)] + XYZ[1:]),
+        "twice": cloud(1, 1, 16, fields=XYZ + [(0, 12, 7, 1)]),
+        "big_endian": cloud(1, 1, 12, flags=1),
+        "no_xyz": cloud(1, 1, 12, fields=[]),
+    },
+    "depth_view": {
+        "millimetres": depth(4, 3, 2, 0, struct.pack("<12H", *range(0, 12000, 1000))),
+        "metres": depth(2, 2, 4, 1, floats(1.5, float("nan"), float("inf"), -1.0)),
+        "mono16": depth(3, 2, 2, 2),
+        "padded": depth(3, 2, 2, 0, step=8),
+        "odd_step": depth(3, 2, 2, 0, step=7),
+        "rgb8": depth(2, 2, 3, 3),
+        "oversized": depth(0xFFFFFFFF, 0xFFFFFFFF, 0, 0, b"", step=0, info=(1, 1)),
+        "short": depth(4, 3, 2, 0, bytes(23)),
+        "other_info": depth(4, 3, 2, 0, info=(3, 4)),
+        "uncalibrated": depth(4, 3, 2, 0, f=0.0),
+        "big_endian": depth(4, 3, 2, 0, flags=1),
+    },
+    "message_bounds": {
+        "cloud": b"\0" + cloud_message(),
+        "cloud_bomb": b"\0" + cloud_message(fields=40000000),
+        "cloud_data_bomb": b"\0" + cloud_message(data=0xFFFFFFFF),
+        "image": b"\1" + image_message(),
+        "image_bomb": b"\1" + image_message(data=0x80000000),
+        "compressed": b"\2" + HEADER + text(b"jpeg") + text(b"\xff\xd8\xff"),
+        "info": b"\3" + info_message(),
+        "info_bomb": b"\3" + info_message(coefficients=0x20000001),
+    },
+}
+
+
+def main():
+    root = os.path.join(os.path.dirname(os.path.abspath(__file__)), "corpus")
+    for target, seeds in CORPUS.items():
+        os.makedirs(os.path.join(root, target), exist_ok=True)
+        for name, data in seeds.items():
+            with open(os.path.join(root, target, name), "wb") as seed:
+                seed.write(data)
+
+
+if __name__ == "__main__":
+    main()
