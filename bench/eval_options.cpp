@@ -1,0 +1,83 @@
+#include "bench/eval_options.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <stdexcept>
+
+namespace pilothouse::bench {
+namespace {
+
+std::string describe(const std::string& option) {
+  if (option == "--runs") return "  --runs N    how many scenes of each kind (default 20)";
+  if (option == "--seed") return "  --seed S    start of the random numbers (default 1)";
+  if (option == "--data")
+    return "  --data DIR  folder of recordings, searched with all its folders";
+  return "  --out DIR   draw pictures into DIR";
+}
+
+void printHelp(const EvalCommand& command) {
+  std::cout << "usage: " << command.name;
+  for (const auto& option : command.options) {
+    std::cout << " [" << option << (option == "--data" || option == "--out" ? " DIR]" : " N]");
+  }
+  std::cout << "\n" << command.purpose << "\n";
+  for (const auto& option : command.options) std::cout << describe(option) << "\n";
+  std::cout << "Ends with 0 where every bar is met, 1 where one is missed, 2 on a wrong call.\n";
+}
+
+std::uint64_t readNumber(const EvalCommand& command, const std::string& option,
+                         const std::string& text, std::uint64_t low, std::uint64_t high) {
+  const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+  try {
+    const std::uint64_t value = digits ? std::stoull(text) : 0;
+    if (digits && value >= low && value <= high) return value;
+  } catch (const std::out_of_range&) {
+    // Too long a number is refused like any other that is out of range.
+  }
+  refuse(command, option + " is '" + text + "', expected a whole number from " +
+                      std::to_string(low) + " to " + std::to_string(high));
+}
+
+}  // namespace
+
+void refuse(const EvalCommand& command, const std::string& message) {
+  std::cerr << command.name << ": " << message << "\n";
+  std::exit(2);
+}
+
+EvalOptions readOptions(const EvalCommand& command, int argc, char** argv) {
+  EvalOptions options;
+  for (int i = 1; i < argc; ++i) {
+    const std::string option = argv[i];
+    if (option == "--help" || option == "-h") {
+      printHelp(command);
+      std::exit(0);
+    }
+    if (std::find(command.options.begin(), command.options.end(), option) ==
+        command.options.end()) {
+      refuse(command, "unknown option '" + option + "', --help lists them");
+    }
+    if (++i >= argc) refuse(command, option + " needs a value");
+    const std::string value = argv[i];
+    if (option == "--runs") {
+      options.runs = static_cast<int>(readNumber(command, option, value, 1, 100000));
+    } else if (option == "--seed") {
+      options.seed = readNumber(command, option, value, 0, ~std::uint64_t{0});
+    } else if (option == "--data") {
+      options.data = value;
+    } else {
+      options.out = value;
+    }
+  }
+  if (!options.data.empty() && !std::filesystem::is_directory(options.data)) {
+    refuse(command, "--data is '" + options.data + "', expected a folder");
+  }
+  std::error_code fault;
+  if (!options.out.empty()) std::filesystem::create_directories(options.out, fault);
+  if (fault) refuse(command, "--out is '" + options.out + "': " + fault.message());
+  return options;
+}
+
+}  // namespace pilothouse::bench

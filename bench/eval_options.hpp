@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace pilothouse::bench {
+
+/// What an evaluation's command line may say.
+struct EvalOptions {
+  int runs = 20;
+  std::uint64_t seed = 1;
+  std::string data;  ///< folder of recordings; empty: not given
+  std::string out;   ///< folder for pictures; empty: none
+};
+
+/// Which of the options an evaluation knows, and what --help says first.
+struct EvalCommand {
+  std::string name;
+  std::string purpose;
+  std::vector<std::string> options;  ///< of --runs --seed --data --out
+};
+
+/// Reads the command line. --help prints and exits with 0; a fault prints one line and exits
+/// with 2. Makes the folder of --out.
+EvalOptions readOptions(const EvalCommand& command, int argc, char** argv);
+
+/// Prints "NAME: message" and exits with 2.
+[[noreturn]] void refuse(const EvalCommand& command, const std::string& message);
+
+}  // namespace pilothouse::bench
