@@ -18,13 +18,20 @@ std::string joined(const std::vector<std::string>& lines) {
 
 std::string typeName(const XmlRpcValue& value) {
   switch (value.getType()) {
-    case XmlRpcValue::TypeBoolean: return "a bool";
-    case XmlRpcValue::TypeInt: return "an int";
-    case XmlRpcValue::TypeDouble: return "a double";
-    case XmlRpcValue::TypeString: return "a string";
-    case XmlRpcValue::TypeArray: return "a list";
-    case XmlRpcValue::TypeStruct: return "a struct";
-    default: return "of another type";
+    case XmlRpcValue::TypeBoolean:
+      return "a bool";
+    case XmlRpcValue::TypeInt:
+      return "an int";
+    case XmlRpcValue::TypeDouble:
+      return "a double";
+    case XmlRpcValue::TypeString:
+      return "a string";
+    case XmlRpcValue::TypeArray:
+      return "a list";
+    case XmlRpcValue::TypeStruct:
+      return "a struct";
+    default:
+      return "of another type";
   }
 }
 
@@ -32,15 +39,24 @@ std::string typeName(const XmlRpcValue& value) {
 std::string shown(XmlRpcValue value) {
   std::ostringstream text;
   switch (value.getType()) {
-    case XmlRpcValue::TypeBoolean: text << (static_cast<bool&>(value) ? "true" : "false"); break;
-    case XmlRpcValue::TypeInt: text << static_cast<int&>(value); break;
-    case XmlRpcValue::TypeDouble: text << static_cast<double&>(value); break;
+    case XmlRpcValue::TypeBoolean:
+      text << (static_cast<bool&>(value) ? "true" : "false");
+      break;
+    case XmlRpcValue::TypeInt:
+      text << static_cast<int&>(value);
+      break;
+    case XmlRpcValue::TypeDouble:
+      text << static_cast<double&>(value);
+      break;
     case XmlRpcValue::TypeString:
       text << '"' << static_cast<std::string&>(value).substr(0, 80) << '"';
       break;
     case XmlRpcValue::TypeArray:
-    case XmlRpcValue::TypeStruct: text << "of " << value.size() << " entries"; break;
-    default: text << "unreadable";
+    case XmlRpcValue::TypeStruct:
+      text << "of " << value.size() << " entries";
+      break;
+    default:
+      text << "unreadable";
   }
   return text.str();
 }

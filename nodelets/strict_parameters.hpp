@@ -37,8 +37,7 @@ class StrictParameters {
   void require(std::initializer_list<const char*> keys);
   bool has(const std::string& key) const;
 
-  void read(const std::string& key, double& value,
-            double low = -std::numeric_limits<double>::max(),
+  void read(const std::string& key, double& value, double low = -std::numeric_limits<double>::max(),
             double high = std::numeric_limits<double>::max());
   void read(const std::string& key, int& value, int low = std::numeric_limits<int>::min(),
             int high = std::numeric_limits<int>::max());

@@ -1,0 +1,51 @@
+#include <nodelet/nodelet.h>
+#include <pluginlib/class_list_macros.hpp>
+
+#include "nodelets/camera_info_pairing.hpp"
+#include "nodelets/floor_publisher.hpp"
+#include "nodelets/message_views.hpp"
+
+namespace pilothouse {
+
+/// Judges the floor in camera/depth/image_rect with the help of camera/depth/camera_info.
+class DepthFloor : public nodelet::Nodelet {
+  void onInit() override {
+    floor_ = std::make_unique<FloorPublisher>(getNodeHandle(), getPrivateNodeHandle(),
+                                              "camera/depth/image_rect");
+    floor_->start([this](bool wanted) { wanted ? listen() : ignore(); });
+  }
+
+  void listen() {
+    const auto hints = ros::TransportHints().tcpNoDelay();
+    ros::NodeHandle& handle = getNodeHandle();
+    info_ = handle.subscribe("camera/depth/camera_info", 8, &DepthFloor::takeInfo, this, hints);
+    image_ = handle.subscribe("camera/depth/image_rect", 1, &DepthFloor::takeImage, this, hints);
+  }
+
+  void ignore() {
+    image_.shutdown();
+    info_.shutdown();
+    pairing_.clear();
+  }
+
+  void takeImage(const sensor_msgs::Image::ConstPtr& image) { pairing_.add(image); }
+  void takeInfo(const sensor_msgs::CameraInfo::ConstPtr& info) { pairing_.add(info); }
+
+  CameraInfoPairing pairing_{[this](const sensor_msgs::Image::ConstPtr& image,
+                                    const sensor_msgs::CameraInfo::ConstPtr& info) {
+                               floor_->process(image->header, openView(*image, *info));
+                             },
+                             [this](const sensor_msgs::Image::ConstPtr& image) {
+                               floor_->reject(image->header, "no camera info",
+                                              "no CameraInfo of the same stamp, nor one of " +
+                                                  std::to_string(image->width) + "x" +
+                                                  std::to_string(image->height) + " in frame \"" +
+                                                  image->header.frame_id + "\"");
+                             }};
+  std::unique_ptr<FloorPublisher> floor_;
+  ros::Subscriber info_, image_;
+};
+
+}  // namespace pilothouse
+
+PLUGINLIB_EXPORT_CLASS(pilothouse::DepthFloor, nodelet::Nodelet)

@@ -1,0 +1,101 @@
+#include "nodelets/floor_publisher.hpp"
+
+namespace pilothouse {
+namespace {
+
+/// Stamps may be a little out of order; a bag that starts again jumps farther back than this.
+constexpr double kJitter = 0.1;  // [s]
+
+FloorNodeParameters readParameters(const ros::NodeHandle& private_handle) {
+  FloorNodeParameters parameters;
+  StrictParameters reader(private_handle);
+  reader.read("base_frame", parameters.base_frame);
+  reader.read("mounting_source", parameters.mounting_source, {"tf", "search"});
+  reader.read("input_timeout", parameters.input_timeout, 0.1, 3600.0);
+  readFloorParameters(reader, parameters.floor);
+  reader.finish();
+  return parameters;
+}
+
+}  // namespace
+
+FloorPublisher::FloorPublisher(ros::NodeHandle handle, ros::NodeHandle private_handle,
+                               const std::string& input)
+    : handle_(std::move(handle)),
+      private_handle_(std::move(private_handle)),
+      parameters_(readParameters(private_handle_)),
+      health_(handle_.resolveName(input), parameters_.input_timeout),
+      mounting_(parameters_.base_frame),
+      segmenter_(parameters_.floor) {}
+
+void FloorPublisher::start(FloorOutputs::Demand demand) {
+  // The server begins with what the parameter server holds: first write there what was decided.
+  toConfig(parameters_.floor).__toServer__(private_handle_);
+  server_ = std::make_unique<dynamic_reconfigure::Server<FloorConfig>>(private_handle_);
+  server_->setCallback([this](FloorConfig& config, std::uint32_t) { reconfigure(config); });
+
+  diagnostics_ = std::make_unique<diagnostic_updater::Updater>(handle_, private_handle_,
+                                                               private_handle_.getNamespace());
+  diagnostics_->setHardwareID("none");
+  diagnostics_->add("input", &health_, &InputHealth::report);
+  diagnostics_timer_ = handle_.createWallTimer(
+      ros::WallDuration(1.0), [this](const ros::WallTimerEvent&) { diagnostics_->force_update(); });
+
+  outputs_.advertise(handle_, [this, demand](bool wanted) {
+    health_.listening(wanted);
+    demand(wanted);
+  });
+}
+
+void FloorPublisher::reconfigure(FloorConfig& config) {
+  std::lock_guard<std::mutex> lock(mutex_);
+  try {
+    segmenter_.setParameters(fromConfig(config));
+  } catch (const std::invalid_argument& fault) {
+    ROS_WARN("%s keeps its parameters, refused: %s", private_handle_.getNamespace().c_str(),
+             fault.what());
+    config = toConfig(segmenter_.parameters());
+  }
+}
+
+void FloorPublisher::arrived(const std_msgs::Header& header) {
+  const ros::Time now = ros::Time::now();
+  health_.arrived(header.stamp, now);
+  const ros::Duration jitter(kJitter);
+  if (header.stamp + jitter < newest_stamp_ || now + jitter < newest_now_) {
+    ROS_WARN("%s: time jumped back, starting afresh", private_handle_.getNamespace().c_str());
+    mounting_.reset();
+    health_.timeJumped();
+    newest_stamp_ = header.stamp;
+    newest_now_ = now;
+  }
+  newest_stamp_ = std::max(newest_stamp_, header.stamp);
+  newest_now_ = std::max(newest_now_, now);
+}
+
+void FloorPublisher::reject(const std_msgs::Header& header, const std::string& kind,
+                            const std::string& reason) {
+  std::lock_guard<std::mutex> lock(mutex_);
+  arrived(header);
+  health_.rejected(kind, reason);
+}
+
+template <class View>
+void FloorPublisher::process(const std_msgs::Header& header, const Checked<View>& view) {
+  std::lock_guard<std::mutex> lock(mutex_);
+  const auto begin = InputHealth::Clock::now();
+  arrived(header);
+  if (!view) return health_.rejected("message", view.reason());
+  const Checked<Eigen::Isometry3f> T_base_camera = mounting_.find(header);
+  if (!T_base_camera) return health_.rejected("mounting", T_base_camera.reason());
+  const FloorGrid& grid = segmenter_.segment(*view, *T_base_camera);
+  std_msgs::Header base = header;
+  base.frame_id = parameters_.base_frame;
+  outputs_.publish(base, grid, segmenter_.parameters().method);
+  health_.accepted(InputHealth::Clock::now() - begin);
+}
+
+template void FloorPublisher::process(const std_msgs::Header&, const Checked<CloudView>&);
+template void FloorPublisher::process(const std_msgs::Header&, const Checked<DepthView>&);
+
+}  // namespace pilothouse
