@@ -5,6 +5,7 @@
 
 #include "core/cloud/cloud_view.hpp"
 #include "core/cloud/depth_view.hpp"
+#include "core/floor/binning_kernel.hpp"
 #include "core/floor/cell_moments.hpp"
 #include "core/floor/floor_grid.hpp"
 
@@ -21,12 +22,19 @@ enum class BinningKernel {
 BinningKernel fastestKernel();
 bool isSupported(BinningKernel kernel);
 
-/// Sorts points into the cells of a grid on the floor and sums their heights. Keeps its memory.
-/// Points that are not finite, outside the grid or above the scale's high are left out.
+/// Sorts points into the cells of a grid on the floor and sums their heights. Keeps its memory: no
+/// allocation after the first frame of a size. Points that are not finite, outside the grid or
+/// above the scale's high are left out; points below its low count as that low.
 class Binner {
  public:
+  /// Grids of more cells go through the reference: a vector kernel's sums take 64 bytes a cell,
+  /// which would no longer fit a cache.
+  static constexpr std::size_t kMaxVectorCells = std::size_t{1} << 18;
+
   void configure(const GridGeometry& geometry, const HeightScale& scale);
-  void useKernel(BinningKernel kernel) { kernel_ = kernel; }
+  /// @param kernel one that isSupported(); any other means the reference.
+  void useKernel(BinningKernel kernel);
+  BinningKernel kernel() const { return kernel_; }
 
   /// @param T_base_camera finite; takes the cloud's points to the base frame [m].
   /// @return geometry.cells() sums, valid until the next call.
@@ -36,12 +44,24 @@ class Binner {
                                       const Eigen::Isometry3f& T_base_optical);
 
  private:
-  void add(float x, float y, float z);
+  void setPlan(const Eigen::Isometry3f& T_base_sensor);
+  void setColumnTerms(const DepthView& depth);
+  void choose();
+  void beginFrame();
+  void add(CloudSpan span);
+  void add(const DepthRow& row);
+  void makeRoomFor(std::size_t points);
+  void emptySlots();
 
   GridGeometry geometry_;
   HeightScale scale_;
   BinningKernel kernel_ = fastestKernel();
+  const VectorKernel* vector_ = nullptr;  ///< nullptr: the reference
+  BinningPlan plan_{};
   std::vector<CellMoments> moments_;
+  std::vector<CellSlot> slots_;
+  std::size_t points_in_slots_ = 0;
+  std::vector<float> column_terms_[3];  ///< grid coordinates a unit of depth, for each image column
 };
 
 }  // namespace pilothouse

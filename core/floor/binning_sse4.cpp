@@ -1,0 +1,98 @@
+#include "core/floor/binning_kernel.hpp"
+
+#ifdef __SSE4_1__  // set for this file alone where the processor is of this family
+
+#include <smmintrin.h>
+
+#include "core/floor/binning_lanes.hpp"
+
+namespace pilothouse {
+namespace {
+
+/// Four points at a time. See binning_avx2.cpp for the reasons behind each step.
+struct Sse4 {
+  using Float = __m128;
+  using Int = __m128i;
+  static constexpr std::size_t kWidth = 4;
+
+  static PILOTHOUSE_INLINE Float all(float value) { return _mm_set1_ps(value); }
+  static PILOTHOUSE_INLINE Float load(const float* from) { return _mm_loadu_ps(from); }
+  static PILOTHOUSE_INLINE Float allTrue() { return _mm_castsi128_ps(_mm_set1_epi32(-1)); }
+  static PILOTHOUSE_INLINE Float both(Float a, Float b) { return _mm_and_ps(a, b); }
+  static PILOTHOUSE_INLINE Float below(Float a, Float b) { return _mm_cmplt_ps(a, b); }
+  static PILOTHOUSE_INLINE Float notAbove(Float a, Float b) { return _mm_cmple_ps(a, b); }
+  static PILOTHOUSE_INLINE Float isPositive(Float a) { return _mm_cmplt_ps(_mm_setzero_ps(), a); }
+  static PILOTHOUSE_INLINE bool noneTrue(Float mask) { return _mm_movemask_ps(mask) == 0; }
+  static PILOTHOUSE_INLINE Float greater(Float a, Float b) { return _mm_max_ps(a, b); }
+  static PILOTHOUSE_INLINE Float lesser(Float a, Float b) { return _mm_min_ps(a, b); }
+  static PILOTHOUSE_INLINE Int cut(Float a) { return _mm_cvttps_epi32(a); }
+  static PILOTHOUSE_INLINE Int masked(Int a, Float mask) {
+    return _mm_and_si128(a, _mm_castps_si128(mask));
+  }
+
+  template <std::size_t kStride>
+  static PILOTHOUSE_INLINE void loadPoints(const std::uint8_t* p, std::size_t stride, Float& x,
+                                           Float& y, Float& z) {
+    if constexpr (kStride != 0) stride = kStride;
+    const Float a = load(reinterpret_cast<const float*>(p));
+    const Float b = load(reinterpret_cast<const float*>(p + stride));
+    const Float c = load(reinterpret_cast<const float*>(p + 2 * stride));
+    const Float d = load(reinterpret_cast<const float*>(p + 3 * stride));
+    const Float xy_ab = _mm_unpacklo_ps(a, b), xy_cd = _mm_unpacklo_ps(c, d);
+    x = _mm_movelh_ps(xy_ab, xy_cd);
+    y = _mm_movehl_ps(xy_cd, xy_ab);
+    z = _mm_movelh_ps(_mm_unpackhi_ps(a, b), _mm_unpackhi_ps(c, d));
+  }
+
+  static PILOTHOUSE_INLINE Float loadDepth(const std::uint8_t* p, std::uint16_t) {
+    return _mm_cvtepi32_ps(
+        _mm_cvtepu16_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(p))));
+  }
+  static PILOTHOUSE_INLINE Float loadDepth(const std::uint8_t* p, float) {
+    return _mm_loadu_ps(reinterpret_cast<const float*>(p));
+  }
+
+  static PILOTHOUSE_INLINE Int slotOffset(Int ix, Int iy, std::int32_t columns) {
+    return _mm_slli_epi32(_mm_add_epi32(_mm_mullo_epi32(iy, _mm_set1_epi32(columns)), ix), 6);
+  }
+
+  static PILOTHOUSE_INLINE void addToSlots(Int offsets, Int q, std::uint8_t* slots) {
+    alignas(16) std::uint32_t at[kWidth];
+    _mm_store_si128(reinterpret_cast<__m128i*>(at), offsets);
+    asm("" : "+m"(at));  // keeps the compiler from extracting after all
+    const Int one = _mm_set1_epi32(1);
+    const Int odd = _mm_srli_epi64(q, 32);
+    const Int even_low = _mm_blend_epi16(q, one, 0xCC);
+    const Int odd_low = _mm_blend_epi16(odd, one, 0xCC);
+    const Int even_square = _mm_mul_epu32(q, q);
+    const Int odd_square = _mm_mul_epu32(odd, odd);
+    addToCopy<0>(slots + at[0], _mm_unpacklo_epi64(even_low, even_square));
+    addToCopy<1>(slots + at[1], _mm_unpacklo_epi64(odd_low, odd_square));
+    addToCopy<2>(slots + at[2], _mm_unpackhi_epi64(even_low, even_square));
+    addToCopy<3>(slots + at[3], _mm_unpackhi_epi64(odd_low, odd_square));
+  }
+  template <int kCopy>
+  static PILOTHOUSE_INLINE void addToCopy(std::uint8_t* slot, __m128i value) {
+    auto* copy = reinterpret_cast<__m128i*>(slot) + kCopy;
+    _mm_store_si128(copy, _mm_add_epi64(_mm_load_si128(copy), value));
+  }
+};
+
+}  // namespace
+
+const VectorKernel* sse4BinningKernel() {
+  static constexpr VectorKernel kKernel = {addCloudLanes<Sse4>, addDepthLanes<Sse4>};
+  return &kKernel;
+}
+
+}  // namespace pilothouse
+
+#else
+
+namespace pilothouse {
+const VectorKernel* sse4BinningKernel() {
+  return nullptr;
+}
+}  // namespace pilothouse
+
+#endif
