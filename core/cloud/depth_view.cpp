@@ -5,6 +5,8 @@
 #include <sstream>
 #include <string>
 
+#include "core/cloud/quoted.hpp"
+
 namespace pilothouse {
 namespace {
 
@@ -12,15 +14,6 @@ using Reason = std::optional<std::string>;
 
 std::string found(const std::string& thing, std::uint64_t value, const std::string& expected) {
   return "depth image " + thing + " is " + std::to_string(value) + ", expected " + expected;
-}
-
-/// Text from outside, fit for a message of ours: short and printable.
-std::string quoted(std::string_view text) {
-  constexpr std::size_t kMost = 32;
-  std::string out(text.substr(0, kMost));
-  for (char& c : out)
-    if (c < 0x20 || c > 0x7E) c = '?';
-  return "\"" + out + (text.size() > kMost ? "...\"" : "\"");
 }
 
 Reason sizeFault(const DepthBytes& bytes, const DepthBounds& bounds, std::uint32_t pixel) {

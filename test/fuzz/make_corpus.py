@@ -47,6 +47,18 @@ def info_message(coefficients=5):
             struct.pack("<I", coefficients) + bytes(40 + 240 + 25))
 
 
+def pcd(data, coding, points=2, fields="x y z", size="4 4 4", kind="F F F", count="COUNT 1 1 1\n"):
+    return (b"\0# .PCD v0.7\nVERSION 0.7\nFIELDS %s\nSIZE %s\nTYPE %s\n%sWIDTH %d\nHEIGHT 1\n"
+            b"VIEWPOINT 0 0 0 1 0 0 0\nPOINTS %d\nDATA %s\n" %
+            tuple(v.encode() if isinstance(v, str) else v
+                  for v in (fields, size, kind, count, points, points, coding)) + data)
+
+
+def png(width, height):
+    return b"\1\x89PNG\r\n\x1a\n" + struct.pack(">I4sIIBBBBBI", 13, b"IHDR", width, height,
+                                                16, 0, 0, 0, 0, 0)
+
+
 CORPUS = {
     "cloud_view": {
         "organised": cloud(3, 2, 16, data=floats(*range(24))),
@@ -86,6 +98,18 @@ CORPUS = {
         "compressed": b"\2" + HEADER + text(b"jpeg") + text(b"\xff\xd8\xff"),
         "info": b"\3" + info_message(),
         "info_bomb": b"\3" + info_message(coefficients=0x20000001),
+    },
+    "file_headers": {
+        "pcd_binary": pcd(bytes(24), "binary"),
+        "pcd_ascii": pcd(b"0 0 1\n0 nan 1\n", "ascii"),
+        "pcd_compressed": pcd(struct.pack("<II", 3, 24) + bytes(3), "binary_compressed"),
+        "pcd_no_count": pcd(bytes(24), "binary", count=""),
+        "pcd_label": pcd(bytes(32), "binary", fields="label x y z", size="4 4 4 4",
+                         kind="U F F F", count="COUNT 1 1 1 1\n"),
+        "pcd_huge": pcd(b"", "binary", points=4294967295),
+        "pcd_inflates": pcd(struct.pack("<II", 3, 0xFFFFFFFF) + bytes(3), "binary_compressed"),
+        "png": png(640, 480),
+        "png_huge": png(0xFFFFFFFF, 0xFFFFFFFF),
     },
 }
 
