@@ -1,0 +1,77 @@
+// The operator's console: parses the command line, starts the ROS link and shows the window.
+
+#include <QApplication>
+#include <QCoreApplication>
+#include <QTimer>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+
+#include "gui/model/ros_link.hpp"
+#include "gui/view/main_window.hpp"
+#include "gui/view/options.hpp"
+#include "gui/view/screenshot.hpp"
+#include "gui/view/theme.hpp"
+
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+void interrupt(int) { interrupted = 1; }
+
+int refuse(const std::string& reason) {
+  std::fprintf(stderr, "console: %s\n", reason.c_str());
+  return 2;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace pilothouse::gui;
+  const std::vector<std::string> arguments(argv, argv + argc);
+  QStringList words;
+  for (int i = 1; i < argc; ++i) words << QString::fromLocal8Bit(argv[i]);
+  if (words.contains("--help") || words.contains("-h")) {
+    std::fputs(kUsage, stdout);
+    return 0;
+  }
+  QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+  QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+  QCoreApplication::setOrganizationName("pilothouse");
+  QCoreApplication::setApplicationName("console");
+  QApplication application(argc, argv);
+
+  const auto options = parseOptions(words);
+  if (!options) return refuse(options.reason());
+  const auto robot = readRobot(options->robot_file);
+  if (!robot) return refuse(robot.reason());
+
+  theme::apply(application);
+  // Leaked on purpose: a ROS call that never returns may still hold them when the process ends.
+  auto& state = *new ConsoleState;
+  auto& link = *new RosLink(arguments, state);
+  const PanelContext context{state, *robot, [&link](const std::string& method, bool calibrate) {
+                               link.askFloor(method, calibrate);
+                             }};
+  const bool pictured = !options->screenshot.isEmpty();
+  MainWindow window(context, !pictured);
+  window.show();
+  link.start();
+  if (pictured) takeScreenshot(window, options->screenshot, options->after_s);
+
+  std::signal(SIGINT, interrupt);
+  std::signal(SIGTERM, interrupt);
+  QTimer watch;
+  QObject::connect(&watch, &QTimer::timeout, [&] {
+    if (interrupted) window.close();
+  });
+  watch.start(100);
+
+  const int result = application.exec();
+  window.hide();
+  if (!link.stop(1.0)) {
+    // A call into ROS hangs, e.g. on a master that accepts but never answers. Settings are saved.
+    std::fflush(nullptr);
+    std::_Exit(result);
+  }
+  return result;
+}

@@ -1,0 +1,50 @@
+#include "gui/model/console_state.hpp"
+
+namespace pilothouse::gui {
+
+std::string shownTopic(const ConsoleState& state, const std::string& relative) {
+  const auto names = state.names.get();
+  const auto found = names.find(relative);
+  const std::string name = found == names.end() ? relative : found->second;
+  // The root namespace is the usual one: its slash says nothing to the operator.
+  return name == "/" + relative ? relative : name;
+}
+
+Situation situationOf(const ConsoleState& state, const std::string& robot, double now) {
+  Situation situation;
+  situation.now = now;
+  situation.link = state.link.get();
+  situation.complaints = state.complaints.get();
+  situation.missing_transform = state.missing_transform.get();
+  situation.robot = robot;
+  const auto advertised = state.advertised.get();
+  const auto names = state.names.get();
+  const auto anyOf = [&](std::initializer_list<const char*> topics) {
+    for (const char* topic : topics) {
+      const auto name = names.find(topic);
+      if (name != names.end() && advertised.count(name->second) > 0) return true;
+    }
+    return false;
+  };
+  const auto add = [&](const char* what, const char* topic, bool there, bool essential,
+                       const FeedState& feed) {
+    situation.streams.push_back({what, shownTopic(state, topic), there, essential, feed});
+    auto& named = situation.streams.back().state.topic;
+    if (!named.empty() && named.find('/', 1) != std::string::npos) {
+      for (const auto& [relative, resolved] : names) {
+        if (named == resolved) named = shownTopic(state, relative);
+      }
+    }
+  };
+  add("depth", "camera/depth/image_rect",
+      anyOf({"camera/depth/image_rect", "camera/depth/points"}), true, state.depth.state(now));
+  add("floor grid", "floor_grid", anyOf({"floor_grid"}), true, state.floor.state(now));
+  add("colour", "camera/rgb/image_rect_color",
+      anyOf({"camera/rgb/image_rect_color", "camera/rgb/image_rect_color/compressed",
+             "camera/depth/points"}),
+      false, state.colour.state(now));
+  add("objects", "objects/camera", anyOf({"objects/camera"}), false, state.objects.state(now));
+  return situation;
+}
+
+}  // namespace pilothouse::gui

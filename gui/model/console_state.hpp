@@ -1,0 +1,68 @@
+#pragma once
+
+#include <map>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "gui/model/feed.hpp"
+#include "gui/model/pictures.hpp"
+#include "gui/model/situation.hpp"
+
+namespace pilothouse::gui {
+
+/// A value written by one thread and read by others.
+template <class T>
+class Guarded {
+ public:
+  void set(T value) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    value_ = std::move(value);
+  }
+  T get() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return value_;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  T value_{};
+};
+
+/// Where the camera stands on the robot by tf: in the base frame [m, rad].
+struct CameraPose {
+  double x, y, yaw;
+};
+
+/// How the floor nodelet judges, as it last announced.
+struct FloorSettings {
+  bool known = false;  ///< the nodelet has announced its parameters
+  bool original = false;
+  bool calibrate = false;
+  std::string fault;   ///< why the last wish was not granted; empty: it was
+};
+
+/// All that the console shows, between the ROS side that fills it and the panels that read it.
+/// Knows neither ROS nor widgets.
+struct ConsoleState {
+  Feed<DepthPicture> depth;
+  Feed<ColourPicture> colour;
+  Feed<FloorPicture> floor;
+  Feed<ObjectsPicture> objects;
+  Guarded<LinkStatus> link;
+  Guarded<std::set<std::string>> advertised;  ///< resolved names of topics with a publisher
+  Guarded<std::map<std::string, std::string>> names;  ///< relative topic -> resolved
+  Guarded<std::vector<Complaint>> complaints;
+  Guarded<std::string> missing_transform;
+  Guarded<std::optional<CameraPose>> camera_pose;
+  Guarded<FloorSettings> floor_settings;
+};
+
+/// A topic as the status and the empty panels name it: resolved where the link knows it.
+std::string shownTopic(const ConsoleState& state, const std::string& relative);
+/// Snapshot of everything that the status sentence is made from.
+Situation situationOf(const ConsoleState& state, const std::string& robot, double now);
+
+}  // namespace pilothouse::gui

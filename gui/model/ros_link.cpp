@@ -1,0 +1,152 @@
+#include "gui/model/ros_link.hpp"
+
+#include <ros/init.h>
+#include <ros/master.h>
+#include <ros/names.h>
+#include <ros/this_node.h>
+#include <ros/time.h>
+
+#include <chrono>
+
+#include "gui/model/clock.hpp"
+#include "gui/model/ros_streams.hpp"
+
+namespace pilothouse::gui {
+
+namespace {
+
+// What tells one master from the next: its process and the id of its run. Empty: no answer.
+std::string masterIdentity() {
+  XmlRpc::XmlRpcValue arguments, result, payload;
+  arguments[0] = ros::this_node::getName();
+  if (!ros::master::execute("getPid", arguments, result, payload, false)) return {};
+  std::string id = payload.getType() == XmlRpc::XmlRpcValue::TypeInt
+                       ? std::to_string(static_cast<int>(payload))
+                       : "master";
+  arguments[1] = std::string("/run_id");
+  if (ros::master::execute("getParam", arguments, result, payload, false) &&
+      payload.getType() == XmlRpc::XmlRpcValue::TypeString) {
+    id += static_cast<std::string>(payload);
+  }
+  return id;
+}
+
+std::string robotName() {
+  XmlRpc::XmlRpcValue arguments, result, payload;
+  arguments[0] = ros::this_node::getName();
+  arguments[1] = ros::names::resolve("robot/name");
+  const bool found = ros::master::execute("getParam", arguments, result, payload, false) &&
+                     payload.getType() == XmlRpc::XmlRpcValue::TypeString;
+  return found ? static_cast<std::string>(payload) : std::string();
+}
+
+}  // namespace
+
+RosLink::RosLink(std::vector<std::string> arguments, ConsoleState& state)
+    : arguments_(std::move(arguments)), state_(state) {}
+
+RosLink::~RosLink() {
+  if (thread_.joinable()) thread_.detach();
+}
+
+void RosLink::start() {
+  thread_ = std::thread([this] {
+    run();
+    const std::lock_guard<std::mutex> lock(mutex_);
+    ended_ = true;
+    wake_.notify_all();
+  });
+}
+
+bool RosLink::stop(double patience) {
+  if (!thread_.joinable()) return true;
+  {
+    std::unique_lock<std::mutex> lock(mutex_);
+    stopping_ = true;
+    wake_.notify_all();
+    const bool ended =
+        wake_.wait_for(lock, std::chrono::duration<double>(patience), [&] { return ended_; });
+    if (!ended) return false;
+  }
+  thread_.join();
+  return true;
+}
+
+void RosLink::askFloor(const std::string& method, bool calibrate) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  wish_ = [=](RosStreams& streams) { streams.setFloor(method, calibrate); };
+  wake_.notify_all();
+}
+
+void RosLink::pause(double seconds) {
+  std::unique_lock<std::mutex> lock(mutex_);
+  wake_.wait_for(lock, std::chrono::duration<double>(seconds), [&] { return stopping_ || wish_; });
+}
+
+void RosLink::setPhase(LinkPhase phase, double round_trip_ms) {
+  LinkStatus status = state_.link.get();
+  if (status.phase != phase) {
+    status.phase = phase;
+    status.since = steadySeconds();
+  }
+  status.master_uri = ros::master::getURI();
+  while (!status.master_uri.empty() && status.master_uri.back() == '/') status.master_uri.pop_back();
+  status.round_trip_ms = round_trip_ms;
+  state_.link.set(status);
+}
+
+void RosLink::run() {
+  std::vector<char*> argv;
+  for (auto& argument : arguments_) argv.push_back(argument.data());
+  argv.push_back(nullptr);
+  int argc = static_cast<int>(arguments_.size());
+  // Two consoles may run side by side, so the name is made unique. Ctrl-C belongs to the window.
+  ros::init(argc, argv.data(), "console",
+            ros::init_options::AnonymousName | ros::init_options::NoSigintHandler |
+                ros::init_options::NoRosout);
+  // Without this a call to a master that has just gone would wait for it for ever.
+  ros::master::setRetryTimeout(ros::WallDuration(1.0));
+  setPhase(LinkPhase::kStarting, 0.0);
+  for (;;) {
+    std::function<void(RosStreams&)> wish;
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      if (stopping_) break;
+      wish = std::move(wish_);
+      wish_ = nullptr;
+    }
+    if (wish && streams_) wish(*streams_);
+    pause(connectedStep() ? 0.5 : 1.0);
+  }
+  streams_.reset();
+  if (ros::isStarted()) ros::shutdown();
+}
+
+bool RosLink::connectedStep() {
+  const double before = steadySeconds();
+  const std::string id = masterIdentity();
+  const double round_trip_ms = (steadySeconds() - before) * 500.0;  // two questions
+  if (id.empty()) {
+    const LinkPhase phase = state_.link.get().phase;
+    const bool was = phase == LinkPhase::kConnected || phase == LinkPhase::kLost;
+    setPhase(was ? LinkPhase::kLost : LinkPhase::kNoMaster, 0.0);
+    return false;
+  }
+  if (id != master_id_) {
+    // A new master knows nothing of us: end the old subscriptions and make them again.
+    streams_.reset();
+    // Started here and not by a first NodeHandle: the last handle to go would shut ROS down.
+    if (!ros::isStarted()) ros::start();
+    streams_ = std::make_unique<RosStreams>(state_);
+    master_id_ = id;
+  }
+  setPhase(LinkPhase::kConnected, round_trip_ms);
+  LinkStatus status = state_.link.get();
+  status.robot = robotName();
+  status.simulated_time = ros::Time::isSimTime();
+  state_.link.set(status);
+  streams_->review();
+  return true;
+}
+
+}  // namespace pilothouse::gui

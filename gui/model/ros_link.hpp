@@ -1,0 +1,53 @@
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "gui/model/console_state.hpp"
+
+namespace pilothouse::gui {
+
+class RosStreams;
+
+/// Keeps the connection to the ROS master on a thread of its own: waits for a master, subscribes,
+/// notices when it goes or is replaced and subscribes anew. The GUI thread never calls ROS.
+class RosLink {
+ public:
+  /// @param arguments the command line; remappings (name:=value) are taken from it.
+  RosLink(std::vector<std::string> arguments, ConsoleState& state);
+  ~RosLink();
+  RosLink(const RosLink&) = delete;
+  RosLink& operator=(const RosLink&) = delete;
+
+  void start();
+  /// Ends the threads. @return false when a call into ROS did not come back within `patience` [s]:
+  /// the process must then end without waiting for it.
+  bool stop(double patience);
+  /// Asks the floor nodelet for a change of its parameters; the answer comes in floor_settings.
+  void askFloor(const std::string& method, bool calibrate);
+
+ private:
+  void run();
+  bool connectedStep();
+  void setPhase(LinkPhase phase, double round_trip_ms);
+  void pause(double seconds);
+
+  std::vector<std::string> arguments_;
+  ConsoleState& state_;
+  std::unique_ptr<RosStreams> streams_;
+  std::thread thread_;
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  std::function<void(RosStreams&)> wish_;
+  std::string master_id_;
+  bool stopping_ = false;
+  bool ended_ = false;
+};
+
+}  // namespace pilothouse::gui

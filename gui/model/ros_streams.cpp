@@ -1,0 +1,205 @@
+#include "gui/model/ros_streams.hpp"
+
+#include <dynamic_reconfigure/Reconfigure.h>
+#include <ros/master.h>
+#include <ros/service.h>
+
+#include <cmath>
+
+#include "gui/model/clock.hpp"
+
+namespace pilothouse::gui {
+
+namespace {
+
+// Age of a message on arrival; 0 when its stamp belongs to another clock (a bag of last year).
+double latencyOf(const ros::Time& stamp) {
+  if (stamp.isZero() || !ros::Time::isValid()) return 0.0;
+  const double latency = (ros::Time::now() - stamp).toSec();
+  return latency > 0.0 && latency < 10.0 ? latency : 0.0;
+}
+
+}  // namespace
+
+RosStreams::RosStreams(ConsoleState& state)
+    : state_(state), conversions_(state), began_(steadySeconds()), spinner_(1, &queue_) {
+  node_.setCallbackQueue(&queue_);
+  listener_ = std::make_unique<tf2_ros::TransformListener>(transforms_, node_, false);
+  std::map<std::string, std::string> names;
+  for (const char* topic :
+       {"camera/depth/image_rect", "camera/depth/camera_info", "camera/depth/points",
+        "camera/rgb/image_rect_color", "camera/rgb/image_rect_color/compressed", "floor_grid",
+        "objects/camera"}) {
+    names[topic] = node_.resolveName(topic);
+  }
+  state_.names.set(names);
+  depth_ = subscribe("camera/depth/image_rect", conversions_.depth, state_.depth);
+  floor_ = subscribe("floor_grid", conversions_.floor, state_.floor);
+  objects_ = subscribe("objects/camera", conversions_.objects, state_.objects);
+  info_ = node_.subscribe<sensor_msgs::CameraInfo>(
+      "camera/depth/camera_info", 1,
+      [this](const sensor_msgs::CameraInfoConstPtr& info) { conversions_.info.set(info); });
+  complaints_ = node_.subscribe<diagnostic_msgs::DiagnosticArray>(
+      "diagnostics", 10, [this](const diagnostic_msgs::DiagnosticArrayConstPtr& array) {
+        diagnostics_.update(*array, steadySeconds());
+        state_.complaints.set(diagnostics_.complaints(steadySeconds()));
+      });
+  settings_ = node_.subscribe<dynamic_reconfigure::Config>(
+      "floor/parameter_updates", 1,
+      [this](const dynamic_reconfigure::ConfigConstPtr& config) { announced(*config); });
+  spinner_.start();
+}
+
+RosStreams::~RosStreams() {
+  spinner_.stop();
+  state_.complaints.set({});
+  state_.missing_transform.set({});
+  state_.floor_settings.set({});
+}
+
+template <class Message, class Picture>
+ros::Subscriber RosStreams::subscribe(const std::string& topic, Mailbox<Message>& box,
+                                      Feed<Picture>& feed) {
+  const std::string name = node_.resolveName(topic);
+  boost::function<void(const ros::MessageEvent<const Message>&)> receive =
+      [this, &box, &feed, name](const ros::MessageEvent<const Message>& event) {
+        const auto message = event.getConstMessage();
+        const double now = steadySeconds();
+        feed.arrived(now, message->header.seq, event.getPublisherName(), name);
+        if (box.put({message, now, latencyOf(message->header.stamp), name})) feed.overwritten();
+        conversions_.wake();
+      };
+  ros::SubscribeOptions options;
+  options.initByFullCallbackType<const ros::MessageEvent<const Message>&>(topic, 2, receive);
+  options.transport_hints = ros::TransportHints().tcpNoDelay();
+  return node_.subscribe(options);
+}
+
+void RosStreams::review() {
+  std::vector<ros::master::TopicInfo> topics;
+  std::set<std::string> advertised;
+  if (ros::master::getTopics(topics)) {
+    for (const auto& topic : topics) advertised.insert(topic.name);
+  }
+  state_.advertised.set(advertised);
+  chooseSources();
+  lookAtTransforms();
+}
+
+void RosStreams::chooseSources() {
+  const auto advertised = state_.advertised.get();
+  const auto there = [&](const char* topic) { return advertised.count(node_.resolveName(topic)) > 0; };
+  const double now = steadySeconds();
+  const auto flows = [&](const FeedState& feed, const char* topic) {
+    return feed.ever && feed.age_s < kStaleAfter && feed.topic == node_.resolveName(topic);
+  };
+  const bool cloud = there("camera/depth/points");
+  const bool waited = now - began_ > kStaleAfter;
+  const FeedState depth = state_.depth.state(now);
+  // A cloud is ten times a depth image's bytes: only where no image is to be had.
+  const bool image_silent = !there("camera/depth/image_rect") ||
+                            (waited && !flows(depth, "camera/depth/image_rect"));
+  conversions_.cloud_as_depth = cloud && image_silent;
+
+  const bool raw = there("camera/rgb/image_rect_color");
+  const bool coded = there("camera/rgb/image_rect_color/compressed");
+  // The JPEG where both are offered: a tenth of the bytes over a radio link.
+  if (coded != static_cast<bool>(coded_)) {
+    coded_ = coded ? subscribe("camera/rgb/image_rect_color/compressed", conversions_.coded,
+                               state_.colour)
+                   : ros::Subscriber();
+  }
+  const bool use_raw = raw && !coded;
+  if (use_raw != static_cast<bool>(colour_)) {
+    colour_ = use_raw ? subscribe("camera/rgb/image_rect_color", conversions_.colour, state_.colour)
+                      : ros::Subscriber();
+  }
+  conversions_.cloud_as_colour = cloud && !raw && !coded;
+  const bool use_cloud = conversions_.cloud_as_depth || conversions_.cloud_as_colour;
+  if (use_cloud != static_cast<bool>(cloud_)) {
+    cloud_ = use_cloud ? subscribeCloud() : ros::Subscriber();
+  }
+}
+
+ros::Subscriber RosStreams::subscribeCloud() {
+  const std::string name = node_.resolveName("camera/depth/points");
+  using Cloud = sensor_msgs::PointCloud2;
+  boost::function<void(const ros::MessageEvent<const Cloud>&)> receive =
+      [this, name](const ros::MessageEvent<const Cloud>& event) {
+        const auto cloud = event.getConstMessage();
+        const double now = steadySeconds();
+        const bool lost =
+            conversions_.cloud.put({cloud, now, latencyOf(cloud->header.stamp), name});
+        const auto count = [&](auto& feed) {
+          feed.arrived(now, cloud->header.seq, event.getPublisherName(), name);
+          if (lost) feed.overwritten();
+        };
+        if (conversions_.cloud_as_depth) count(state_.depth);
+        if (conversions_.cloud_as_colour) count(state_.colour);
+        conversions_.wake();
+      };
+  ros::SubscribeOptions options;
+  options.initByFullCallbackType<const ros::MessageEvent<const Cloud>&>("camera/depth/points", 2,
+                                                                      receive);
+  options.transport_hints = ros::TransportHints().tcpNoDelay();
+  return node_.subscribe(options);
+}
+
+void RosStreams::lookAtTransforms() {
+  const auto depth = state_.depth.latest();
+  if (!depth || depth->frame.empty()) return;
+  const auto floor = state_.floor.latest();
+  const std::string base = floor && !floor->frame.empty() ? floor->frame : "base_link";
+  try {
+    const auto found = transforms_.lookupTransform(base, depth->frame, ros::Time(0)).transform;
+    const auto& q = found.rotation;
+    // Where the optical axis (z) points, seen from above.
+    const double forward = 2.0 * (q.x * q.z + q.w * q.y);
+    const double left = 2.0 * (q.y * q.z - q.w * q.x);
+    if (std::isfinite(forward) && std::isfinite(left)) {
+      state_.camera_pose.set(
+          CameraPose{found.translation.x, found.translation.y, std::atan2(left, forward)});
+    }
+    state_.missing_transform.set({});
+  } catch (const tf2::TransformException&) {
+    state_.camera_pose.set(std::nullopt);
+    state_.missing_transform.set(base + " to " + depth->frame);
+  }
+}
+
+void RosStreams::announced(const dynamic_reconfigure::Config& config) {
+  FloorSettings settings;
+  for (const auto& entry : config.strs) {
+    if (entry.name == "method") {
+      settings.known = true;
+      settings.original = entry.value == "original";
+    }
+  }
+  for (const auto& entry : config.bools) {
+    if (entry.name == "calibrate_mounting") settings.calibrate = entry.value != 0;
+  }
+  state_.floor_settings.set(settings);
+}
+
+void RosStreams::setFloor(const std::string& method, bool calibrate) {
+  dynamic_reconfigure::Reconfigure call;
+  call.request.config.strs.resize(1);
+  call.request.config.strs[0].name = "method";
+  call.request.config.strs[0].value = method;
+  call.request.config.bools.resize(1);
+  call.request.config.bools[0].name = "calibrate_mounting";
+  call.request.config.bools[0].value = calibrate;
+  const std::string service = node_.resolveName("floor/set_parameters");
+  FloorSettings settings = state_.floor_settings.get();
+  settings.fault.clear();
+  if (!ros::service::exists(service, false)) {
+    settings.fault = "no service " + service;
+  } else if (!ros::service::call(service, call)) {
+    settings.fault = service + " refused the change";
+  } else {
+    return;  // the nodelet announces what it now uses
+  }
+  state_.floor_settings.set(settings);
+}
+
+}  // namespace pilothouse::gui

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gui/model/feed_meter.hpp"
+
+namespace pilothouse::gui {
+
+enum class LinkPhase { kStarting, kNoMaster, kConnected, kLost };
+
+/// State of the connection to the ROS master.
+struct LinkStatus {
+  LinkPhase phase = LinkPhase::kStarting;
+  std::string master_uri;
+  double round_trip_ms = 0.0;   ///< of the last question to the master
+  bool simulated_time = false;  ///< ROS time comes from /clock
+  double since = 0.0;           ///< steady time when the phase began [s]
+  std::string robot;            ///< /robot/name of the running system; empty when unknown
+};
+
+/// One stream that the operator expects.
+struct ExpectedStream {
+  std::string what;   ///< "depth"
+  std::string topic;  ///< "camera/depth/image_rect"
+  bool advertised = false;
+  bool essential = true;  ///< absence is worth a warning
+  FeedState state;
+};
+
+/// One entry of the diagnostics that is not OK.
+struct Complaint {
+  std::string name, message;
+  bool error = false;
+};
+
+/// Everything that the status sentence is made from. Times are steady seconds.
+struct Situation {
+  double now = 0.0;
+  LinkStatus link;
+  std::vector<ExpectedStream> streams;
+  std::string missing_transform;  ///< "base_link to camera_depth_optical_frame"; empty: none
+  std::vector<Complaint> complaints;
+  std::string robot;  ///< whose YAML the console has read
+};
+
+enum class Severity { kGood, kNote, kWarning, kError };
+
+struct Notice {
+  Severity severity;
+  std::string text;  ///< a sentence for the operator
+};
+
+/// What the operator should know, the worst first; one good notice when all is well.
+std::vector<Notice> notices(const Situation& situation);
+
+}  // namespace pilothouse::gui

@@ -1,0 +1,128 @@
+#include "gui/view/header_strip.hpp"
+
+#include <QPainter>
+#include <QToolButton>
+
+#include "gui/view/theme.hpp"
+
+namespace pilothouse::gui {
+
+namespace {
+
+constexpr int kButton = 22;
+
+QString ageText(double age_s) {
+  return age_s < 100.0 ? QString::number(age_s, 'f', 1) + " s"
+                       : QString::number(static_cast<int>(age_s / 60.0)) + " min";
+}
+
+QString countText(std::uint64_t count) {
+  return count < 100000 ? QString::number(count) : QString::number(count / 1000) + "k";
+}
+
+// A cross and a square, drawn so that no icon theme is needed.
+QIcon drawnIcon(bool cross) {
+  QPixmap pixmap(32, 32);
+  pixmap.fill(Qt::transparent);
+  QPainter painter(&pixmap);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(theme::kMuted, 2.6));
+  if (cross) {
+    painter.drawLine(9, 9, 23, 23);
+    painter.drawLine(23, 9, 9, 23);
+  } else {
+    painter.drawRect(9, 12, 11, 11);
+    painter.drawPolyline(QPolygon({{13, 8}, {24, 8}, {24, 19}}));
+  }
+  return QIcon(pixmap);
+}
+
+}  // namespace
+
+HeaderStrip::HeaderStrip(const QString& title, QWidget* parent)
+    : QWidget(parent), title_(title), close_(new QToolButton(this)), float_(new QToolButton(this)) {
+  setFixedHeight(theme::kStripHeight);
+  const auto prepare = [&](QToolButton* button, bool cross, const QString& tip) {
+    button->setIcon(drawnIcon(cross));
+    button->setIconSize({16, 16});
+    button->setFixedSize(kButton, kButton);
+    button->setToolTip(tip);
+    button->setFocusPolicy(Qt::NoFocus);
+  };
+  prepare(close_, true, tr("Hide this panel (View brings it back)"));
+  prepare(float_, false, tr("Float or dock"));
+  connect(close_, &QToolButton::clicked, this, &HeaderStrip::closeWanted);
+  connect(float_, &QToolButton::clicked, this, &HeaderStrip::floatWanted);
+}
+
+void HeaderStrip::show(const FeedState& state) {
+  state_ = state;
+  setToolTip(tr("<b>%1</b><br>%2<br>%3<br>Dropped: lost on the way, or replaced by a newer picture "
+                "before it was drawn. Refused so far: %4.")
+                 .arg(title_,
+                      state.topic.empty() ? tr("nothing received yet")
+                                          : QString::fromStdString(state.topic).toHtmlEscaped(),
+                      figures())
+                 .arg(state.rejected));
+  update();
+}
+
+QString HeaderStrip::figures() const {
+  if (!state_.ever) return tr("no data");
+  return tr("%1 Hz   age %2   %3 dropped")
+      .arg(state_.rate_hz, 0, 'f', 1)
+      .arg(ageText(state_.age_s), countText(state_.drops));
+}
+
+QSize HeaderStrip::sizeHint() const { return {320, theme::kStripHeight}; }
+QSize HeaderStrip::minimumSizeHint() const { return {200, theme::kStripHeight}; }
+
+void HeaderStrip::resizeEvent(QResizeEvent*) {
+  const int top = (height() - kButton) / 2;
+  close_->move(width() - kButton - 5, top);
+  float_->move(width() - 2 * kButton - 5, top);
+}
+
+void HeaderStrip::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.fillRect(rect(), theme::kRaised);
+  painter.setFont(theme::titleFont());
+  painter.setPen(theme::kText);
+  const int left = theme::kSpace + 4;
+  painter.drawText(QRect(left, 0, width(), height()), Qt::AlignVCenter | Qt::AlignLeft, title_);
+
+  // From the right: drops, age with its state, rate; each right-aligned in a column of its own.
+  painter.setFont(theme::smallFont());
+  const QFontMetrics metrics(theme::smallFont());
+  const int title_end = left + QFontMetrics(theme::titleFont()).horizontalAdvance(title_) + 12;
+  int right = width() - 2 * kButton - 14;
+  const auto column = [&](const QString& text, const QString& widest, const QColor& colour) {
+    const int wide = metrics.horizontalAdvance(widest);
+    if (right - wide < title_end) return false;
+    painter.setPen(colour);
+    painter.drawText(QRect(right - wide, 0, wide, height()), Qt::AlignVCenter | Qt::AlignRight, text);
+    right -= wide + 12;
+    return true;
+  };
+  if (!state_.ever) {
+    column(state_.rejection.empty() ? tr("no data") : tr("rejected"), tr("rejected"),
+           state_.rejection.empty() ? theme::kMuted : theme::kError);
+    return;
+  }
+  const Freshness fresh = freshness(state_);
+  const QColor colour = !state_.rejection.empty() || fresh == Freshness::kStale ? theme::kError
+                        : fresh == Freshness::kLate                             ? theme::kWarning
+                                                                                : theme::kGood;
+  column(tr("%1 dropped").arg(countText(state_.drops)), tr("0000 dropped"),
+         state_.drops > 0 ? theme::kText : theme::kMuted);
+  if (column(tr("age %1").arg(ageText(state_.age_s)), tr("age 00.0 s"), colour)) {
+    painter.setBrush(colour);
+    painter.setPen(Qt::NoPen);
+    painter.drawEllipse(QPointF(right + 2, height() * 0.5), 3.5, 3.5);
+    right -= 10;
+  }
+  column(tr("%1 Hz").arg(state_.rate_hz, 0, 'f', 1), tr("00.0 Hz"), theme::kMuted);
+}
+
+}  // namespace pilothouse::gui

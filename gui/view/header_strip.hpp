@@ -1,0 +1,39 @@
+#pragma once
+
+#include <QWidget>
+
+#include "gui/model/feed_meter.hpp"
+
+class QToolButton;
+
+namespace pilothouse::gui {
+
+/// Title of a picture with its rate, age and drops: the dock's title bar. Painted, so that changing
+/// figures never move anything.
+class HeaderStrip : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit HeaderStrip(const QString& title, QWidget* parent = nullptr);
+  void show(const FeedState& state);
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+  /// The figures in words, e.g. "5.0 Hz  age 0.1 s  0 dropped" (also for tests and tool tips).
+  QString figures() const;
+
+ signals:
+  void closeWanted();
+  void floatWanted();
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  QString title_;
+  FeedState state_;
+  QToolButton* close_;
+  QToolButton* float_;
+};
+
+}  // namespace pilothouse::gui

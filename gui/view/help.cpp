@@ -1,0 +1,97 @@
+#include "gui/view/help.hpp"
+
+#include <QAction>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QMenuBar>
+#include <QVBoxLayout>
+
+#include "gui/view/theme.hpp"
+
+namespace pilothouse::gui {
+
+namespace {
+
+QLabel* keyLabel(const QString& text) {
+  auto* label = new QLabel(text);
+  label->setFont(theme::smallFont());
+  label->setAlignment(Qt::AlignCenter);
+  label->setStyleSheet("background: #242a32; border: 1px solid #3d4754; border-radius: 4px; "
+                       "padding: 2px 8px; color: #e8ecf1;");
+  return label;
+}
+
+QLabel* heading(const QString& text) {
+  auto* label = new QLabel(text);
+  label->setFont(theme::titleFont());
+  label->setContentsMargins(0, 10, 0, 2);
+  return label;
+}
+
+void addRow(QGridLayout* grid, const QString& what, const QString& keys) {
+  const int row = grid->rowCount();
+  grid->addWidget(new QLabel(what), row, 0);
+  grid->addWidget(keyLabel(keys), row, 1, Qt::AlignRight);
+}
+
+QDialog* sheet(QMainWindow& window, const QString& title) {
+  auto* dialog = new QDialog(&window);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(title);
+  return dialog;
+}
+
+void finish(QDialog* dialog, QVBoxLayout* layout) {
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+  QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
+  layout->addSpacing(theme::kSpace);
+  layout->addWidget(buttons);
+  dialog->open();
+}
+
+}  // namespace
+
+void showShortcuts(QMainWindow& window) {
+  auto* dialog = sheet(window, QObject::tr("Keyboard shortcuts"));
+  dialog->setObjectName("shortcuts");
+  auto* layout = new QVBoxLayout(dialog);
+  layout->setContentsMargins(24, 12, 24, 16);
+  auto* grid = new QGridLayout;
+  grid->setHorizontalSpacing(48);
+  grid->setVerticalSpacing(4);
+  for (const auto* top : window.menuBar()->actions()) {
+    if (!top->menu()) continue;
+    grid->addWidget(heading(top->text().remove('&')), grid->rowCount(), 0);
+    for (const auto* action : top->menu()->actions()) {
+      QStringList keys;
+      for (const auto& key : action->shortcuts()) keys << key.toString(QKeySequence::NativeText);
+      if (!keys.isEmpty()) addRow(grid, action->text().remove('&'), keys.join(QObject::tr("  or  ")));
+    }
+  }
+  grid->addWidget(heading(QObject::tr("Mouse on the map")), grid->rowCount(), 0);
+  addRow(grid, QObject::tr("Zoom about the cursor"), QObject::tr("wheel"));
+  addRow(grid, QObject::tr("Move the map"), QObject::tr("drag"));
+  addRow(grid, QObject::tr("Fit the map"), QObject::tr("double click"));
+  layout->addLayout(grid);
+  finish(dialog, layout);
+}
+
+void showAbout(QMainWindow& window) {
+  auto* dialog = sheet(window, QObject::tr("About Pilothouse"));
+  auto* layout = new QVBoxLayout(dialog);
+  layout->setContentsMargins(24, 20, 24, 16);
+  auto* name = new QLabel(QObject::tr("Pilothouse %1").arg(PILOTHOUSE_VERSION));
+  name->setFont(theme::headingFont());
+  auto* text = new QLabel(QObject::tr(
+      "The operator's console of small mobile robots with a depth camera.\n"
+      "It knows the robot only through ROS topics and services.\n\n"
+      "BSD-3-Clause. Uses Qt (LGPL), ROS, OpenCV and yaml-cpp."));
+  text->setStyleSheet("color: #a0abb9;");
+  layout->addWidget(name);
+  layout->addWidget(text);
+  finish(dialog, layout);
+}
+
+}  // namespace pilothouse::gui

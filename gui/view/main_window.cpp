@@ -1,0 +1,176 @@
+#include "gui/view/main_window.hpp"
+
+#include <QAction>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QMenuBar>
+#include <QSettings>
+#include <QStatusBar>
+#include <QTimer>
+#include <QVBoxLayout>
+
+#include "gui/model/clock.hpp"
+#include "gui/view/header_strip.hpp"
+#include "gui/view/help.hpp"
+#include "gui/view/status_line.hpp"
+#include "gui/view/theme.hpp"
+
+namespace pilothouse::gui {
+
+namespace {
+constexpr int kPictureInterval = 33;   // ms: at most 30 fps
+constexpr int kNumberInterval = 200;   // ms
+constexpr int kLayoutVersion = 1;      // raise when ids or places of panels change
+}  // namespace
+
+MainWindow::MainWindow(const PanelContext& context, bool remember)
+    : context_(context), remember_(remember), status_(new StatusLine), pictures_(new QTimer(this)),
+      numbers_(new QTimer(this)) {
+  setWindowTitle(tr("Pilothouse - %1").arg(QString::fromStdString(context.robot.title)));
+  setDockOptions(AllowNestedDocks | AllowTabbedDocks | AnimatedDocks);
+  resize(1280, 720);
+  for (const auto& entry : panelRegistry()) addPanel(entry);
+  auto* bar = new QStatusBar;
+  bar->setSizeGripEnabled(false);
+  bar->setContentsMargins(0, 0, 0, 0);
+  bar->addWidget(status_, 1);
+  setStatusBar(bar);
+  buildMenus();
+  resetLayout();
+  if (remember_) {
+    QSettings settings;
+    restoreGeometry(settings.value("window/geometry").toByteArray());
+    restoreState(settings.value("window/docks").toByteArray(), kLayoutVersion);
+  }
+  pictures_->setTimerType(Qt::PreciseTimer);
+  connect(pictures_, &QTimer::timeout, this, &MainWindow::refreshPictures);
+  connect(numbers_, &QTimer::timeout, this, &MainWindow::refreshNumbers);
+  pictures_->start(kPictureInterval);
+  numbers_->start(kNumberInterval);
+  refreshNow();
+}
+
+void MainWindow::addPanel(const PanelEntry& entry) {
+  if (entry.hindrance && !entry.hindrance().isEmpty()) {
+    panels_.push_back({entry, nullptr, nullptr});
+    return;
+  }
+  auto* dock = new QDockWidget(entry.title, this);
+  dock->setObjectName(QString::fromStdString(entry.id));
+  auto* panel = entry.make(context_);
+  panel->setObjectName(dock->objectName() + "_panel");
+  dock->setWidget(panel);
+  if (auto* strip = qobject_cast<HeaderStrip*>(panel->titleStrip())) {
+    dock->setTitleBarWidget(strip);
+    connect(strip, &HeaderStrip::closeWanted, dock, &QDockWidget::close);
+    connect(strip, &HeaderStrip::floatWanted, dock, [dock] { dock->setFloating(!dock->isFloating()); });
+  }
+  panels_.push_back({entry, panel, dock});
+}
+
+void MainWindow::resetLayout() {
+  QDockWidget* main = nullptr;
+  QDockWidget* side = nullptr;
+  QList<QDockWidget*> columns, rows;
+  QList<int> widths, heights;
+  for (const auto& shown : panels_) {
+    if (!shown.dock) continue;
+    QDockWidget*& last = shown.entry.place == PanelPlace::kMain ? main : side;
+    shown.dock->setFloating(false);
+    if (!last) {
+      addDockWidget(shown.entry.place == PanelPlace::kMain ? Qt::LeftDockWidgetArea
+                                                           : Qt::RightDockWidgetArea,
+                    shown.dock);
+      columns << shown.dock;
+      widths << (shown.entry.place == PanelPlace::kMain ? 820 : 454);
+    } else if (shown.entry.place == PanelPlace::kMain) {
+      tabifyDockWidget(last, shown.dock);
+    } else {
+      splitDockWidget(last, shown.dock, Qt::Vertical);
+    }
+    if (shown.entry.place == PanelPlace::kSide && shown.entry.shown) {
+      rows << shown.dock;
+      heights << 300;
+    }
+    last = shown.dock;
+    shown.dock->setVisible(shown.entry.shown);
+  }
+  resizeDocks(columns, widths, Qt::Horizontal);
+  resizeDocks(rows, heights, Qt::Vertical);
+}
+
+void MainWindow::buildMenus() {
+  auto* console = menuBar()->addMenu(tr("&Console"));
+  auto* quit = console->addAction(tr("&Quit"), this, &QWidget::close);
+  quit->setShortcut(QKeySequence("Ctrl+Q"));
+
+  auto* view = menuBar()->addMenu(tr("&View"));
+  int number = 1;
+  for (const auto& shown : panels_) {
+    if (!shown.dock) {
+      auto* missing = view->addAction(tr("%1 (%2)").arg(shown.entry.title, shown.entry.hindrance()));
+      missing->setEnabled(false);
+      continue;
+    }
+    auto* toggle = shown.dock->toggleViewAction();
+    toggle->setShortcut(QKeySequence(QString("Ctrl+%1").arg(number++)));
+    view->addAction(toggle);
+  }
+  for (const auto& shown : panels_) {
+    if (!shown.panel) continue;
+    const auto actions = shown.panel->viewActions();
+    if (!actions.isEmpty()) view->addSeparator();
+    for (auto* action : actions) view->addAction(action);
+  }
+  view->addSeparator();
+  auto* whole = view->addAction(tr("Full screen"), this, [this] {
+    setWindowState(windowState() ^ Qt::WindowFullScreen);
+  });
+  whole->setShortcut(QKeySequence("F11"));
+  auto* reset = view->addAction(tr("Reset the layout"), this, &MainWindow::resetLayout);
+  reset->setShortcut(QKeySequence("Ctrl+0"));
+
+  auto* help = menuBar()->addMenu(tr("&Help"));
+  auto* keys = help->addAction(tr("Keyboard shortcuts"), this, [this] { showShortcuts(*this); });
+  keys->setShortcut(QKeySequence("F1"));
+  help->addAction(tr("About Pilothouse"), this, [this] { showAbout(*this); });
+}
+
+bool MainWindow::complete() const {
+  for (const auto& shown : panels_) {
+    if (shown.dock && shown.dock->isVisible() && !shown.panel->complete()) return false;
+  }
+  return true;
+}
+
+void MainWindow::refreshPictures() {
+  const double now = steadySeconds();
+  for (const auto& shown : panels_) {
+    if (shown.panel) shown.panel->refreshPicture(now);
+  }
+}
+
+void MainWindow::refreshNumbers() {
+  const double now = steadySeconds();
+  for (const auto& shown : panels_) {
+    if (shown.panel) shown.panel->refreshNumbers(now);
+  }
+  status_->show(situationOf(context_.state, context_.robot.name, now));
+}
+
+void MainWindow::refreshNow() {
+  refreshPictures();
+  refreshNumbers();
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (remember_) {
+    QSettings settings;
+    settings.setValue("window/geometry", saveGeometry());
+    settings.setValue("window/docks", saveState(kLayoutVersion));
+  }
+  event->accept();
+  emit closed();
+}
+
+}  // namespace pilothouse::gui

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <QMainWindow>
+#include <QVector>
+
+#include "gui/view/panel_registry.hpp"
+
+class QDockWidget;
+class QTimer;
+
+namespace pilothouse::gui {
+
+class StatusLine;
+
+/// The console's window: panels in docks, menus, status line, and the clock that refreshes them.
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  /// @param remember whether the layout is read from and saved to the user's settings.
+  MainWindow(const PanelContext& context, bool remember);
+
+  /// Every shown panel has fresh data.
+  bool complete() const;
+  StatusLine* statusLine() const { return status_; }
+  /// One round of what the timers do (tests and screenshots).
+  void refreshNow();
+
+ public slots:
+  void resetLayout();
+
+ signals:
+  void closed();
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+
+ private:
+  struct Shown {
+    PanelEntry entry;
+    Panel* panel;
+    QDockWidget* dock;
+  };
+  void addPanel(const PanelEntry& entry);
+  void buildMenus();
+  void refreshPictures();
+  void refreshNumbers();
+
+  PanelContext context_;
+  bool remember_;
+  QVector<Shown> panels_;
+  StatusLine* status_;
+  QTimer* pictures_;
+  QTimer* numbers_;
+};
+
+}  // namespace pilothouse::gui

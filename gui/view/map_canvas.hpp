@@ -1,0 +1,65 @@
+#pragma once
+
+#include <QWidget>
+#include <memory>
+#include <optional>
+
+#include "gui/model/console_state.hpp"
+#include "gui/model/map_view.hpp"
+#include "gui/model/robot_description.hpp"
+#include "gui/view/overlay.hpp"
+
+namespace pilothouse::gui {
+
+/// The metric map in the robot's own frame: floor classes, objects, the robot to scale with its
+/// camera's view, rings and grid in metres. Wheel zooms about the cursor, dragging pans.
+class MapCanvas : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit MapCanvas(const RobotDescription& robot, QWidget* parent = nullptr);
+
+  void setFloor(std::shared_ptr<const FloorPicture> floor);
+  void setObjects(std::shared_ptr<const ObjectsPicture> objects);
+  void setCamera(std::optional<CameraPose> pose, std::optional<double> half_angle);
+  void setState(const FeedState& state, const EmptyWords& words);
+
+  const MapView& view() const { return view_; }
+  bool hasFloor() const { return floor_ != nullptr; }
+  /// Coordinates, class, height and deviation under the cursor; empty when it is elsewhere.
+  QString readoutText() const;
+
+ public slots:
+  void fit();
+  void zoomIn();
+  void zoomOut();
+  void pan(QPoint pixels);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+
+ private:
+  QRectF content() const;
+  void paintCone(QPainter& painter) const;
+
+  RobotDescription robot_;
+  MapView view_;
+  std::shared_ptr<const FloorPicture> floor_;
+  std::shared_ptr<const ObjectsPicture> objects_;
+  std::optional<CameraPose> camera_;
+  double half_angle_;
+  FeedState state_;
+  EmptyWords words_;
+  std::optional<QPointF> cursor_;
+  QPointF dragged_from_;
+  bool fitted_ = true;  ///< follow the content until the operator zooms or drags
+};
+
+}  // namespace pilothouse::gui

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <QPainter>
+
+#include "gui/model/map_view.hpp"
+#include "gui/model/pictures.hpp"
+#include "gui/model/robot_description.hpp"
+
+namespace pilothouse::gui {
+
+// The layers of the map, from below. Each draws in the widget's pixels.
+
+QColor robotColour();
+
+/// Grid lines at a round distance.
+void paintGrid(QPainter& painter, const MapView& view, QSizeF size);
+/// Rings of range about the robot, with metres.
+void paintRings(QPainter& painter, const MapView& view, QSizeF size);
+void paintFloor(QPainter& painter, const MapView& view, const FloorPicture& floor);
+/// Nearest of their row bright and outlined, the others as small dots.
+void paintObjects(QPainter& painter, const MapView& view, const ObjectsPicture& objects);
+void paintRobot(QPainter& painter, const MapView& view, const RobotDescription& robot);
+void paintScaleBar(QPainter& painter, const MapView& view, QPointF right_bottom);
+/// One row of swatches. @return the box.
+QRectF paintLegend(QPainter& painter, QPointF left_bottom, double most_width);
+
+}  // namespace pilothouse::gui

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <QVector>
+#include <QWidget>
+#include <functional>
+
+#include "gui/model/console_state.hpp"
+#include "gui/model/robot_description.hpp"
+
+class QAction;
+
+namespace pilothouse::gui {
+
+/// What a panel may use. All of it outlives the panels.
+struct PanelContext {
+  ConsoleState& state;
+  const RobotDescription& robot;
+  /// Asks the floor nodelet for (method, calibrate mounting); null in tests.
+  std::function<void(const std::string&, bool)> ask_floor;
+};
+
+/// One dock of the console. Each panel is one class in one file of view/panels that registers
+/// itself (panel_registry.hpp).
+class Panel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit Panel(PanelContext context, QWidget* parent = nullptr)
+      : QWidget(parent), context_(context) {}
+
+  /// Takes the newest picture; called at most 30 times a second. @param now steady time [s].
+  virtual void refreshPicture(double now) = 0;
+  /// Brings words and figures up to date; called 5 times a second.
+  virtual void refreshNumbers(double now) = 0;
+  /// Shows fresh data: a screenshot with --when-complete waits for every panel.
+  virtual bool complete() const = 0;
+  /// Shown in the dock's title bar; owned by the panel's caller once taken. Null: a plain title.
+  virtual QWidget* titleStrip() { return nullptr; }
+  /// Extra entries for the View menu, with their keys.
+  virtual QVector<QAction*> viewActions() { return {}; }
+
+ protected:
+  const PanelContext& context() const { return context_; }
+
+ private:
+  PanelContext context_;
+};
+
+}  // namespace pilothouse::gui
