@@ -6,6 +6,7 @@
 
 #include "core/floor/cell_statistics.hpp"
 #include "core/floor/improved_method.hpp"
+#include "core/floor/near_floor.hpp"
 #include "core/floor/original_method.hpp"
 
 namespace pilothouse {
@@ -40,6 +41,8 @@ struct FloorSegmenter::Impl {
   Binner binner;
   ImprovedMethod improved;
   MountingCalibrator calibrator;
+  NearFloor near_floor;
+  std::vector<std::uint8_t> is_floor;
   FloorGrid grid;
   Eigen::Isometry3f T_used = Eigen::Isometry3f::Identity();
 
@@ -52,7 +55,12 @@ struct FloorSegmenter::Impl {
     } else {
       improved.judge(T_used, grid);
     }
-    calibrator.add(grid, T_used, T_configured);
+    for (std::size_t i = 0; i < is_floor.size(); ++i) {
+      is_floor[i] = grid.classes[i] == CellClass::kFloor ? 1 : 0;
+    }
+    if (const auto plane = near_floor.fit(is_floor, grid)) {
+      calibrator.add(*plane, T_used, T_configured);
+    }
     return grid;
   }
 };
@@ -76,6 +84,8 @@ void FloorSegmenter::setParameters(const FloorParameters& p) {
   grid.geometry = geometryOf(p);
   impl_->binner.configure(grid.geometry, impl_->scale);
   impl_->improved.configure(p, grid.geometry);
+  impl_->near_floor.configure(grid.geometry);
+  impl_->is_floor.assign(grid.geometry.cells(), 0);
   grid.classes.assign(grid.geometry.cells(), CellClass::kUnknown);
   grid.heights.assign(grid.geometry.cells(), 0.0F);
   grid.deviations.assign(grid.geometry.cells(), 0.0F);

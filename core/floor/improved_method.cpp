@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/floor/raised_part.hpp"
+
 namespace pilothouse {
 namespace {
 
@@ -11,6 +13,8 @@ constexpr float kSeedHalfWidth =
 constexpr float kSeedDepth = 0.5F;   // and this far beyond the nearest cell seen [m]
 constexpr float kTiltSlack = 0.06F;  // tan 3.4 deg: a mounting not yet calibrated [m/m]
 constexpr int kOffsetSamples = 15;
+constexpr float kFloorSlack = 0.001F;  // how well the floor's height at a cell is known [m]
+constexpr float kSmoothVariance = 0.003F * 0.003F;  // below, nothing hides among the floor's points
 
 }  // namespace
 
@@ -25,6 +29,7 @@ void ImprovedMethod::configure(const FloorParameters& parameters, const GridGeom
   offsets_.reserve(kOffsetSamples + 1);
   patches_.configure(geometry);
   surface_.configure(geometry);
+  near_floor_.configure(geometry);
 }
 
 void ImprovedMethod::judge(const Eigen::Isometry3f& T_base_camera, FloorGrid& grid) {
@@ -103,14 +108,16 @@ int ImprovedMethod::robotPatch(const FloorGrid& grid) const {
   return best;
 }
 
-/// Median difference between the patch's heights and the floor expected there [m].
-float ImprovedMethod::patchOffset(const FloorPatch& patch, const FloorGrid& grid) {
+/// Median difference between the patch's heights and those expected at (ix, iy) [m].
+template <class Expected>
+float ImprovedMethod::patchOffset(const FloorPatch& patch, const FloorGrid& grid,
+                                  Expected expected) {
   offsets_.clear();
   const std::uint32_t stride = std::max<std::uint32_t>(1, patch.size / kOffsetSamples);
   for (std::uint32_t k = 0; k < patch.size && offsets_.size() < kOffsetSamples; k += stride) {
     const auto cell = static_cast<int>(patches_.cells()[patch.first + k]);
     offsets_.push_back(grid.heights[static_cast<std::size_t>(cell)] -
-                       surface_.expected(cell % geometry_.size_x, cell / geometry_.size_x));
+                       expected(cell % geometry_.size_x, cell / geometry_.size_x));
   }
   const auto middle = offsets_.begin() + static_cast<std::ptrdiff_t>(offsets_.size() / 2);
   std::nth_element(offsets_.begin(), middle, offsets_.end());
@@ -119,6 +126,11 @@ float ImprovedMethod::patchOffset(const FloorPatch& patch, const FloorGrid& grid
 
 void ImprovedMethod::joinIslands(const FloorGrid& grid) {
   const auto tolerance = static_cast<float>(parameters_.step_height);
+  std::optional<FloorSlope> home;
+  const auto from_surface = [&](int ix, int iy) { return surface_.expected(ix, iy); };
+  const auto from_home = [&](int ix, int iy) {
+    return static_cast<float>(home->at(geometry_.centreX(ix), geometry_.centreY(iy)));
+  };
   // Twice: what joins in the first round carries the surface on to what lies behind it.
   for (int round = 0; round < 2; ++round) {
     for (std::size_t number = 0; number < kinds_.size(); ++number) {
@@ -129,38 +141,83 @@ void ImprovedMethod::joinIslands(const FloorGrid& grid) {
       }
     }
     surface_.fit(floor_, grid.heights);
+    if (round == 0) home = near_floor_.fit(floor_, grid);
     bool joined = false;
     for (std::size_t number = 0; number < kinds_.size(); ++number) {
       if (kinds_[number] == PatchKind::kFloor) continue;
-      const float offset = patchOffset(patches_.patches()[number], grid);
-      kinds_[number] = std::abs(offset) <= tolerance ? PatchKind::kFloor
-                       : offset > 0.0F               ? PatchKind::kAbove
-                                                     : PatchKind::kBelow;
+      const FloorPatch& patch = patches_.patches()[number];
+      const float offset = patchOffset(patch, grid, from_surface);
+      const bool continues = std::abs(offset) <= tolerance ||
+                             (home && std::abs(patchOffset(patch, grid, from_home)) <= tolerance);
+      kinds_[number] = continues       ? PatchKind::kFloor
+                       : offset > 0.0F ? PatchKind::kAbove
+                                       : PatchKind::kBelow;
       joined = joined || kinds_[number] == PatchKind::kFloor;
     }
     if (!joined) return;
   }
 }
 
-void ImprovedMethod::classify(FloorGrid& grid) {
+/// Height of the floor at a cell: the surface round it, lowered to the floor cells that touch it,
+/// so that neither a sill in the window nor the thing to be judged lifts it [m].
+float ImprovedMethod::floorAt(int ix, int iy, const FloorGrid& grid) {
+  float lowest = 0.0F;
+  for (int y = std::max(0, iy - 1); y <= std::min(geometry_.size_y - 1, iy + 1); ++y) {
+    for (int x = std::max(0, ix - 1); x <= std::min(geometry_.size_x - 1, ix + 1); ++x) {
+      const std::size_t i = geometry_.index(x, y);
+      if (floor_[i] != 0) lowest = std::min(lowest, grid.heights[i] - surface_.expected(x, y));
+    }
+  }
+  return surface_.expected(ix, iy) + lowest;
+}
+
+/// The class of an even cell of the floor.
+CellClass ImprovedMethod::judgeFloorCell(std::size_t i, const FloorGrid& grid) {
   const auto threshold = static_cast<float>(parameters_.threshold_deviation);
-  const float threshold_variance = threshold * threshold;
-  const auto step = static_cast<float>(parameters_.step_height);
+  const float variance = grid.deviations[i] * grid.deviations[i] - noise_variance_[i];
+  if (variance > kSmoothVariance) {
+    // Few points of something high hide in the deviation among many of the floor.
+    const int cell = static_cast<int>(i);
+    const float floor = floorAt(cell % geometry_.size_x, cell / geometry_.size_x, grid);
+    const RaisedPart part =
+        raisedPart(grid.counts[i], std::max(0.0F, grid.heights[i] - floor), variance, kFloorSlack);
+    const bool few = part.points < 0.5F * static_cast<float>(grid.counts[i]);
+    if (few && part.points >= fewestPoints() && part.height > highStep()) {
+      return CellClass::kObstacle;
+    }
+  }
+  return variance > threshold * threshold ? CellClass::kThreshold : CellClass::kFloor;
+}
+
+/// The class of a cell that is not even.
+CellClass ImprovedMethod::judgeUnevenCell(std::size_t i, const FloorGrid& grid) {
+  const int cell = static_cast<int>(i);
+  const float floor = floorAt(cell % geometry_.size_x, cell / geometry_.size_x, grid);
+  const float excess = grid.heights[i] - floor;
+  const float variance = grid.deviations[i] * grid.deviations[i] - noise_variance_[i];
+  const RaisedPart part = raisedPart(grid.counts[i], excess, variance, 0.1F * kFloorSlack);
+  const float rest = static_cast<float>(grid.counts[i]) - part.points;
+  // One or two stray points do not make an obstacle, as they would not make a cell known.
+  if (part.points < fewestPoints()) {
+    return rest >= static_cast<float>(parameters_.min_points) ? CellClass::kFloor
+                                                              : CellClass::kUnknown;
+  }
+  return excess < -static_cast<float>(parameters_.step_height) ? CellClass::kDropOff
+                                                               : CellClass::kObstacle;
+}
+
+void ImprovedMethod::classify(FloorGrid& grid) {
   const std::vector<std::int32_t>& patch_of = patches_.patchOf();
   for (std::size_t i = 0; i < grid.classes.size(); ++i) {
     if (grid.classes[i] == CellClass::kUnknown) continue;
     if (patch_of[i] < 0) {
-      const int cell = static_cast<int>(i);
-      const float floor = surface_.expected(cell % geometry_.size_x, cell / geometry_.size_x);
-      grid.classes[i] = grid.heights[i] < floor - step ? CellClass::kDropOff : CellClass::kObstacle;
+      grid.classes[i] = judgeUnevenCell(i, grid);
       continue;
     }
     switch (kinds_[static_cast<std::size_t>(patch_of[i])]) {
-      case PatchKind::kFloor: {
-        const float variance = grid.deviations[i] * grid.deviations[i] - noise_variance_[i];
-        grid.classes[i] = variance > threshold_variance ? CellClass::kThreshold : CellClass::kFloor;
+      case PatchKind::kFloor:
+        grid.classes[i] = judgeFloorCell(i, grid);
         break;
-      }
       case PatchKind::kBelow:
         grid.classes[i] = CellClass::kDropOff;
         break;

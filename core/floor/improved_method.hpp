@@ -8,6 +8,7 @@
 #include "core/floor/floor_parameters.hpp"
 #include "core/floor/floor_patches.hpp"
 #include "core/floor/floor_surface.hpp"
+#include "core/floor/near_floor.hpp"
 
 namespace pilothouse {
 
@@ -16,7 +17,8 @@ namespace pilothouse {
 ///  1. cells whose deviation, less what the sensor's noise explains, is within the limit are even;
 ///  2. even cells are flooded into patches, in steps of at most step_height;
 ///  3. the patch at the robot is its floor; a patch beyond a shadow joins where it continues the
-///     floor's surface, lies below as a drop-off or above as an obstacle otherwise;
+///     floor's surface or the plane that the robot stands on, lies below as a drop-off or above as
+///     an obstacle otherwise;
 ///  4. what a drop-off's edge hides, from the floor to the lower level along the ray, is drop-off.
 class ImprovedMethod {
  public:
@@ -28,11 +30,18 @@ class ImprovedMethod {
  private:
   enum class PatchKind : std::uint8_t { kUndecided, kFloor, kAbove, kBelow };
 
+  /// Raised points are an obstacle from here on: a little above the step that floor may have [m].
+  float highStep() const { return 1.2F * static_cast<float>(parameters_.step_height); }
+  float fewestPoints() const { return static_cast<float>(parameters_.min_points) - 0.5F; }
   void updateNoise(const Eigen::Isometry3f& T_base_camera);
   void findEven(const FloorGrid& grid);
   int robotPatch(const FloorGrid& grid) const;
   void joinIslands(const FloorGrid& grid);
-  float patchOffset(const FloorPatch& patch, const FloorGrid& grid);
+  template <class Expected>
+  float patchOffset(const FloorPatch& patch, const FloorGrid& grid, Expected expected);
+  float floorAt(int ix, int iy, const FloorGrid& grid);
+  CellClass judgeFloorCell(std::size_t i, const FloorGrid& grid);
+  CellClass judgeUnevenCell(std::size_t i, const FloorGrid& grid);
   void classify(FloorGrid& grid);
   void markHiddenByEdge(const Eigen::Vector3f& camera, FloorGrid& grid);
 
@@ -47,6 +56,7 @@ class ImprovedMethod {
   std::vector<float> offsets_;  // scratch of patchOffset
   FloorPatches patches_;
   FloorSurface surface_;
+  NearFloor near_floor_;
 };
 
 }  // namespace pilothouse

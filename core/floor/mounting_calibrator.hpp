@@ -1,9 +1,8 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <vector>
 
-#include "core/floor/floor_grid.hpp"
+#include "core/floor/floor_surface.hpp"
 
 namespace pilothouse {
 
@@ -26,21 +25,19 @@ class MountingCalibrator {
   /// The configured mounting corrected by what is known so far.
   Eigen::Isometry3f corrected(const Eigen::Isometry3f& T_base_optical) const;
 
-  /// Learns from a judged grid that was made with `T_used`, a correction of `T_configured`. Frames
-  /// that show too little floor near the robot are ignored.
-  void add(const FloorGrid& grid, const Eigen::Isometry3f& T_used,
+  /// Learns from the floor at the robot, seen in a grid that was made with `T_used`, a correction
+  /// of `T_configured`.
+  void add(const FloorSlope& plane, const Eigen::Isometry3f& T_used,
            const Eigen::Isometry3f& T_configured);
 
   const MountingEstimate& estimate() const { return estimate_; }
 
  private:
-  void gatherNearFloor(const FloorGrid& grid);
   void describe(const Eigen::Isometry3f& T_configured);
 
   Eigen::Vector3d up_ = Eigen::Vector3d::Zero();  // floor normal in the optical frame
   double height_ = 0.0;                           // of the camera above the floor [m]
   MountingEstimate estimate_;
-  std::vector<Eigen::Vector3f> near_floor_;  // scratch: x, y, height [m]
 };
 
 }  // namespace pilothouse

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/floor/floor_grid.hpp"
+#include "core/floor/floor_surface.hpp"
+
+namespace pilothouse {
+
+/// The plane that the robot stands on, from the floor nearest to it.
+class NearFloor {
+ public:
+  void configure(const GridGeometry& geometry);
+  /// Robust fit that starts with the nearest floor and grows outward; what leaves the plane, such
+  /// as the foot of a ramp, falls out. @param is_floor one entry a cell, non-zero for floor.
+  /// @return nothing where too little floor is seen.
+  std::optional<FloorSlope> fit(const std::vector<std::uint8_t>& is_floor, const FloorGrid& grid);
+
+ private:
+  void gather(const std::vector<std::uint8_t>& is_floor, const FloorGrid& grid);
+
+  std::vector<Eigen::Vector3f> cells_;  // x, y, height [m]
+  float nearest_x_ = 0.0F;
+};
+
+}  // namespace pilothouse
