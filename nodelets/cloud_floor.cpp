@@ -3,6 +3,7 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include "nodelets/floor_publisher.hpp"
+#include "nodelets/guarded_subscriber.hpp"
 #include "nodelets/message_views.hpp"
 
 namespace pilothouse {
@@ -15,16 +16,17 @@ class CloudFloor : public nodelet::Nodelet {
         std::make_unique<FloorPublisher>(handle, getPrivateNodeHandle(), "camera/depth/points");
     floor_->start([this, &handle](bool wanted) {
       if (wanted) {
-        cloud_ = handle.subscribe("camera/depth/points", 1, &CloudFloor::take, this,
-                                  ros::TransportHints().tcpNoDelay());
+        cloud_ = subscribeGuarded<sensor_msgs::PointCloud2>(
+            handle, "camera/depth/points", 1,
+            [this](const sensor_msgs::PointCloud2::ConstPtr& cloud) {
+              floor_->process(cloud->header, openView(*cloud));
+            },
+            [this](const std::string& reason) { floor_->reject("lengths", reason); },
+            ros::TransportHints().tcpNoDelay());
       } else {
         cloud_.shutdown();
       }
     });
-  }
-
-  void take(const sensor_msgs::PointCloud2::ConstPtr& cloud) {
-    floor_->process(cloud->header, openView(*cloud));
   }
 
   std::unique_ptr<FloorPublisher> floor_;

@@ -3,6 +3,7 @@
 
 #include "nodelets/camera_info_pairing.hpp"
 #include "nodelets/floor_publisher.hpp"
+#include "nodelets/guarded_subscriber.hpp"
 #include "nodelets/message_views.hpp"
 
 namespace pilothouse {
@@ -18,8 +19,14 @@ class DepthFloor : public nodelet::Nodelet {
   void listen() {
     const auto hints = ros::TransportHints().tcpNoDelay();
     ros::NodeHandle& handle = getNodeHandle();
-    info_ = handle.subscribe("camera/depth/camera_info", 8, &DepthFloor::takeInfo, this, hints);
-    image_ = handle.subscribe("camera/depth/image_rect", 1, &DepthFloor::takeImage, this, hints);
+    const auto refused = [this](const std::string& reason) { floor_->reject("lengths", reason); };
+    info_ = subscribeGuarded<sensor_msgs::CameraInfo>(
+        handle, "camera/depth/camera_info", 8,
+        [this](const sensor_msgs::CameraInfo::ConstPtr& info) { pairing_.add(info); }, refused,
+        hints);
+    image_ = subscribeGuarded<sensor_msgs::Image>(
+        handle, "camera/depth/image_rect", 1,
+        [this](const sensor_msgs::Image::ConstPtr& image) { pairing_.add(image); }, refused, hints);
   }
 
   void ignore() {
@@ -28,15 +35,12 @@ class DepthFloor : public nodelet::Nodelet {
     pairing_.clear();
   }
 
-  void takeImage(const sensor_msgs::Image::ConstPtr& image) { pairing_.add(image); }
-  void takeInfo(const sensor_msgs::CameraInfo::ConstPtr& info) { pairing_.add(info); }
-
   CameraInfoPairing pairing_{[this](const sensor_msgs::Image::ConstPtr& image,
                                     const sensor_msgs::CameraInfo::ConstPtr& info) {
                                floor_->process(image->header, openView(*image, *info));
                              },
                              [this](const sensor_msgs::Image::ConstPtr& image) {
-                               floor_->reject(image->header, "no camera info",
+                               floor_->reject("no camera info",
                                               "no CameraInfo of the same stamp, nor one of " +
                                                   std::to_string(image->width) + "x" +
                                                   std::to_string(image->height) + " in frame \"" +

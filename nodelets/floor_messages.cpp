@@ -59,4 +59,24 @@ sensor_msgs::LaserScan::Ptr toMessage(const std_msgs::Header& header, const Scan
   return message;
 }
 
+sensor_msgs::PointCloud2::Ptr toMessage(const std_msgs::Header& camera,
+                                        std::vector<std::uint8_t>&& xyz) {
+  auto message = boost::make_shared<sensor_msgs::PointCloud2>();
+  message->header = camera;
+  message->fields.resize(3);
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    message->fields[i].name = std::string(1, "xyz"[i]);
+    message->fields[i].offset = 4 * i;
+    message->fields[i].datatype = sensor_msgs::PointField::FLOAT32;
+    message->fields[i].count = 1;
+  }
+  message->point_step = 12;
+  message->height = 1;
+  message->width = static_cast<std::uint32_t>(xyz.size() / message->point_step);
+  message->row_step = message->width * message->point_step;
+  message->is_dense = true;
+  message->data = std::move(xyz);
+  return message;
+}
+
 }  // namespace pilothouse

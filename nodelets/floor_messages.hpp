@@ -2,6 +2,7 @@
 
 #include <pilothouse/ObjectList.h>
 #include <sensor_msgs/LaserScan.h>
+#include <sensor_msgs/PointCloud2.h>
 #include <std_msgs/Header.h>
 
 #include <vector>
@@ -15,7 +16,7 @@
 namespace pilothouse {
 
 // Each call makes a fresh message: what was published is never changed.
-// Every header's frame is the robot's base, its stamp the camera's.
+// The headers' stamp is the camera's; their frame the robot's base unless said otherwise.
 
 FloorGridMessage::Ptr toMessage(const std_msgs::Header& header, const FloorGrid& grid,
                                 FloorMethod method);
@@ -23,5 +24,10 @@ ObjectList::Ptr toMessage(const std_msgs::Header& header, const FloorGrid& grid,
                           const std::vector<GridObject>& objects);
 sensor_msgs::LaserScan::Ptr toMessage(const std_msgs::Header& header, const ScanGeometry& scan,
                                       const std::vector<float>& ranges);
+/// An unorganised cloud of x y z. @param camera the header of the picture: the points are in its
+/// frame.
+/// @param xyz packed float32, 12 bytes a point; taken over.
+sensor_msgs::PointCloud2::Ptr toMessage(const std_msgs::Header& camera,
+                                        std::vector<std::uint8_t>&& xyz);
 
 }  // namespace pilothouse

@@ -1,5 +1,7 @@
 #include "nodelets/floor_outputs.hpp"
 
+#include "core/floor/point_gather.hpp"
+#include "core/floor/point_split.hpp"
 #include "nodelets/floor_messages.hpp"
 
 namespace pilothouse {
@@ -12,10 +14,14 @@ void FloorOutputs::advertise(ros::NodeHandle& handle, Demand demand) {
   grid_ = handle.advertise<FloorGridMessage>("floor_grid", 2, notice, notice);
   objects_ = handle.advertise<ObjectList>("objects/camera", 2, notice, notice);
   scan_ = handle.advertise<sensor_msgs::LaserScan>("virtual_scan", 2, notice, notice);
+  floor_points_ = handle.advertise<sensor_msgs::PointCloud2>("floor_points", 2, notice, notice);
+  obstacle_points_ =
+      handle.advertise<sensor_msgs::PointCloud2>("obstacle_points", 2, notice, notice);
 }
 
 bool FloorOutputs::wanted() const {
-  for (const ros::Publisher* publisher : {&grid_, &objects_, &scan_}) {
+  for (const ros::Publisher* publisher :
+       {&grid_, &objects_, &scan_, &floor_points_, &obstacle_points_}) {
     if (*publisher && publisher->getNumSubscribers() > 0) return true;
   }
   return false;
@@ -29,9 +35,13 @@ void FloorOutputs::notice() {
   demand_(now);
 }
 
-void FloorOutputs::publish(const std_msgs::Header& base, const FloorGrid& grid,
-                           FloorMethod method) {
-  if (grid_.getNumSubscribers() > 0) grid_.publish(toMessage(base, grid, method));
+template <class View>
+void FloorOutputs::publish(const std_msgs::Header& camera, const View& view,
+                           const std::string& base_frame, const Eigen::Isometry3f& T_base_camera,
+                           const FloorGrid& grid, const FloorParameters& parameters) {
+  std_msgs::Header base = camera;
+  base.frame_id = base_frame;
+  if (grid_.getNumSubscribers() > 0) grid_.publish(toMessage(base, grid, parameters.method));
   if (objects_.getNumSubscribers() > 0) {
     objects_.publish(toMessage(base, grid, nearest_objects_.find(grid)));
   }
@@ -39,6 +49,24 @@ void FloorOutputs::publish(const std_msgs::Header& base, const FloorGrid& grid,
     const auto& ranges = virtual_scan_.scan(grid);
     scan_.publish(toMessage(base, virtual_scan_.geometry(), ranges));
   }
+  const bool want_floor = floor_points_.getNumSubscribers() > 0;
+  const bool want_obstacles = obstacle_points_.getNumSubscribers() > 0;
+  if (!want_floor && !want_obstacles) return;
+  splitPoints(view, T_base_camera, grid, parameters, point_classes_);
+  const auto publishKind = [&](const ros::Publisher& publisher, PointKind kind) {
+    std::vector<std::uint8_t> xyz;
+    gatherPoints(view, point_classes_, kind, xyz);
+    publisher.publish(toMessage(camera, std::move(xyz)));
+  };
+  if (want_floor) publishKind(floor_points_, PointKind::kFloor);
+  if (want_obstacles) publishKind(obstacle_points_, PointKind::kObstacle);
 }
+
+template void FloorOutputs::publish(const std_msgs::Header&, const CloudView&, const std::string&,
+                                    const Eigen::Isometry3f&, const FloorGrid&,
+                                    const FloorParameters&);
+template void FloorOutputs::publish(const std_msgs::Header&, const DepthView&, const std::string&,
+                                    const Eigen::Isometry3f&, const FloorGrid&,
+                                    const FloorParameters&);
 
 }  // namespace pilothouse

@@ -7,6 +7,8 @@
 #include <Eigen/Geometry>
 #include <functional>
 #include <mutex>
+#include <string>
+#include <vector>
 
 #include "core/cloud/cloud_view.hpp"
 #include "core/cloud/depth_view.hpp"
@@ -18,7 +20,8 @@
 namespace pilothouse {
 
 /// What the floor nodelets publish, each only while somebody listens to it: floor_grid,
-/// objects/camera, virtual_scan.
+/// objects/camera, virtual_scan in the base frame; floor_points, obstacle_points in the camera's,
+/// as measured (so that who clears along rays knows where they began).
 class FloorOutputs {
  public:
   /// Told when the first listener comes (true) and when the last one has left (false).
@@ -28,15 +31,20 @@ class FloorOutputs {
   void advertise(ros::NodeHandle& handle, Demand demand);
   bool wanted() const;
 
-  /// @param base frame: the robot's base; stamp: the camera's.
-  void publish(const std_msgs::Header& base, const FloorGrid& grid, FloorMethod method);
+  /// @param camera header of the picture; @param base_frame of the grid.
+  /// @param T_base_camera the mounting that the grid was made with.
+  template <class View>
+  void publish(const std_msgs::Header& camera, const View& view, const std::string& base_frame,
+               const Eigen::Isometry3f& T_base_camera, const FloorGrid& grid,
+               const FloorParameters& parameters);
 
  private:
   void notice();
 
-  ros::Publisher grid_, objects_, scan_;
+  ros::Publisher grid_, objects_, scan_, floor_points_, obstacle_points_;
   NearestObjects nearest_objects_;
   VirtualScan virtual_scan_;
+  std::vector<CellClass> point_classes_;
   std::mutex demand_mutex_;
   Demand demand_;
   bool demanded_ = false;

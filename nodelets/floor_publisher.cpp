@@ -1,14 +1,23 @@
 #include "nodelets/floor_publisher.hpp"
 
+#include <tf2_eigen/tf2_eigen.h>
+
+#include "core/floor/plane_search.hpp"
+#include "nodelets/mounting_report.hpp"
+
 namespace pilothouse {
 namespace {
 
 /// Stamps may be a little out of order; a bag that starts again jumps farther back than this.
 constexpr double kJitter = 0.1;  // [s]
 
-FloorNodeParameters readParameters(const ros::NodeHandle& private_handle) {
+FloorNodeParameters readParameters(const ros::NodeHandle& handle,
+                                   const ros::NodeHandle& private_handle) {
   FloorNodeParameters parameters;
+  StrictParameters robot(ros::NodeHandle(handle, "robot/floor"));
+  readFloorParameters(robot, parameters.floor);
   StrictParameters reader(private_handle);
+  reader.merge(robot);
   reader.read("base_frame", parameters.base_frame);
   reader.read("mounting_source", parameters.mounting_source, {"tf", "search"});
   reader.read("input_timeout", parameters.input_timeout, 0.1, 3600.0);
@@ -23,7 +32,7 @@ FloorPublisher::FloorPublisher(ros::NodeHandle handle, ros::NodeHandle private_h
                                const std::string& input)
     : handle_(std::move(handle)),
       private_handle_(std::move(private_handle)),
-      parameters_(readParameters(private_handle_)),
+      parameters_(readParameters(handle_, private_handle_)),
       health_(handle_.resolveName(input), parameters_.input_timeout),
       mounting_(parameters_.base_frame),
       segmenter_(parameters_.floor) {}
@@ -38,6 +47,8 @@ void FloorPublisher::start(FloorOutputs::Demand demand) {
                                                                private_handle_.getNamespace());
   diagnostics_->setHardwareID("none");
   diagnostics_->add("input", &health_, &InputHealth::report);
+  diagnostics_->add("mounting", this, &FloorPublisher::reportMounting);
+  // On the wall clock: a paused recording must not silence the diagnostics.
   diagnostics_timer_ = handle_.createWallTimer(
       ros::WallDuration(1.0), [this](const ros::WallTimerEvent&) { diagnostics_->force_update(); });
 
@@ -58,44 +69,66 @@ void FloorPublisher::reconfigure(FloorConfig& config) {
   }
 }
 
-void FloorPublisher::arrived(const std_msgs::Header& header) {
+void FloorPublisher::noticeTime(const ros::Time& stamp) {
   const ros::Time now = ros::Time::now();
-  health_.arrived(header.stamp, now);
+  health_.stamped(now - stamp);
   const ros::Duration jitter(kJitter);
-  if (header.stamp + jitter < newest_stamp_ || now + jitter < newest_now_) {
+  if (stamp + jitter < newest_stamp_ || now + jitter < newest_now_) {
     ROS_WARN("%s: time jumped back, starting afresh", private_handle_.getNamespace().c_str());
     mounting_.reset();
+    segmenter_.reset();
     health_.timeJumped();
-    newest_stamp_ = header.stamp;
+    newest_stamp_ = stamp;
     newest_now_ = now;
   }
-  newest_stamp_ = std::max(newest_stamp_, header.stamp);
+  newest_stamp_ = std::max(newest_stamp_, stamp);
   newest_now_ = std::max(newest_now_, now);
 }
 
-void FloorPublisher::reject(const std_msgs::Header& header, const std::string& kind,
-                            const std::string& reason) {
-  std::lock_guard<std::mutex> lock(mutex_);
-  arrived(header);
+void FloorPublisher::reject(const std::string& kind, const std::string& reason) {
+  health_.arrived();
   health_.rejected(kind, reason);
+}
+
+template <class View>
+Checked<Eigen::Isometry3f> FloorPublisher::mountingOf(const std_msgs::Header& header,
+                                                      const View& view) {
+  if (parameters_.mounting_source == "tf") return mounting_.find(header);
+  const Checked<FloorPlane> plane = findFloorPlane(view);
+  if (!plane) return Checked<Eigen::Isometry3f>::refused(plane.reason());
+  const Eigen::Isometry3f T_base_camera = mountingFromPlane(*plane);
+  geometry_msgs::TransformStamped transform = tf2::eigenToTransform(T_base_camera.cast<double>());
+  transform.header = header;
+  transform.header.frame_id = parameters_.base_frame;
+  transform.child_frame_id = header.frame_id;
+  if (!header.frame_id.empty()) broadcaster_.sendTransform(transform);
+  return Checked<Eigen::Isometry3f>::of(T_base_camera);
 }
 
 template <class View>
 void FloorPublisher::process(const std_msgs::Header& header, const Checked<View>& view) {
   std::lock_guard<std::mutex> lock(mutex_);
   const auto begin = InputHealth::Clock::now();
-  arrived(header);
+  health_.arrived();
+  noticeTime(header.stamp);
   if (!view) return health_.rejected("message", view.reason());
-  const Checked<Eigen::Isometry3f> T_base_camera = mounting_.find(header);
+  const Checked<Eigen::Isometry3f> T_base_camera = mountingOf(header, *view);
   if (!T_base_camera) return health_.rejected("mounting", T_base_camera.reason());
   const FloorGrid& grid = segmenter_.segment(*view, *T_base_camera);
-  std_msgs::Header base = header;
-  base.frame_id = parameters_.base_frame;
-  outputs_.publish(base, grid, segmenter_.parameters().method);
+  outputs_.publish(header, *view, parameters_.base_frame, segmenter_.mountingUsed(), grid,
+                   segmenter_.parameters());
   health_.accepted(InputHealth::Clock::now() - begin);
 }
 
 template void FloorPublisher::process(const std_msgs::Header&, const Checked<CloudView>&);
 template void FloorPublisher::process(const std_msgs::Header&, const Checked<DepthView>&);
+
+void FloorPublisher::reportMounting(diagnostic_updater::DiagnosticStatusWrapper& status) {
+  std::lock_guard<std::mutex> lock(mutex_);
+  status.add("source", parameters_.mounting_source);
+  status.add("transforms out of time", mounting_.outOfTime());
+  pilothouse::reportMounting(segmenter_.mounting(), segmenter_.parameters().calibrate_mounting,
+                             status);
+}
 
 }  // namespace pilothouse

@@ -5,23 +5,32 @@
 namespace pilothouse {
 namespace {
 
-/// Calls visit(key, member of a, member of b) for each parameter that both structs name alike.
-template <class A, class B, class Visit>
-void forEachKey(A& a, B& b, Visit visit) {
-  visit("cell_size", a.cell_size, b.cell_size);
-  visit("range", a.range, b.range);
-  visit("half_width", a.half_width, b.half_width);
-  visit("clear_height", a.clear_height, b.clear_height);
-  visit("threshold_deviation", a.threshold_deviation, b.threshold_deviation);
-  visit("obstacle_deviation", a.obstacle_deviation, b.obstacle_deviation);
-  visit("calibrate_mounting", a.calibrate_mounting, b.calibrate_mounting);
-  visit("x_min", a.x_min, b.x_min);
-  visit("depth_below", a.depth_below, b.depth_below);
-  visit("step_height", a.step_height, b.step_height);
-  visit("seed_height", a.seed_height, b.seed_height);
-  visit("min_points", a.min_points, b.min_points);
-  visit("noise_floor", a.noise_floor, b.noise_floor);
-  visit("noise_slope", a.noise_slope, b.noise_slope);
+/// Calls visit(key, member of each struct...) for every parameter but the method; FloorParameters
+/// and FloorConfig name them alike.
+template <class Visit, class... Structs>
+void forEachKey(Visit visit, Structs&... structs) {
+  visit("cell_size", structs.cell_size...);
+  visit("range", structs.range...);
+  visit("half_width", structs.half_width...);
+  visit("clear_height", structs.clear_height...);
+  visit("threshold_deviation", structs.threshold_deviation...);
+  visit("obstacle_deviation", structs.obstacle_deviation...);
+  visit("calibrate_mounting", structs.calibrate_mounting...);
+  visit("x_min", structs.x_min...);
+  visit("depth_below", structs.depth_below...);
+  visit("step_height", structs.step_height...);
+  visit("seed_height", structs.seed_height...);
+  visit("min_points", structs.min_points...);
+  visit("noise_floor", structs.noise_floor...);
+  visit("noise_slope", structs.noise_slope...);
+}
+
+template <class T>
+void readOne(StrictParameters& reader, const char* key, T& value, T low, T high) {
+  reader.read(key, value, low, high);
+}
+void readOne(StrictParameters& reader, const char* key, bool& value, bool, bool) {
+  reader.read(key, value);
 }
 
 const char* nameOf(FloorMethod method) {
@@ -34,15 +43,16 @@ void readFloorParameters(StrictParameters& reader, FloorParameters& parameters) 
   std::string method = nameOf(parameters.method);
   reader.read("method", method, {"original", "improved"});
   parameters.method = method == "original" ? FloorMethod::kOriginal : FloorMethod::kImproved;
-  forEachKey(parameters, parameters,
-             [&reader](const char* key, auto& value, auto&) { reader.read(key, value); });
+  forEachKey([&reader](const char* key, auto& value, const auto& low,
+                       const auto& high) { readOne(reader, key, value, low, high); },
+             parameters, FloorConfig::__getMin__(), FloorConfig::__getMax__());
   for (const auto& fault : validate(parameters)) reader.addFault(fault);
 }
 
 FloorConfig toConfig(const FloorParameters& parameters) {
   FloorConfig config = FloorConfig::__getDefault__();
   config.method = nameOf(parameters.method);
-  forEachKey(parameters, config, [](const char*, const auto& from, auto& to) { to = from; });
+  forEachKey([](const char*, const auto& from, auto& to) { to = from; }, parameters, config);
   return config;
 }
 
@@ -53,7 +63,7 @@ FloorParameters fromConfig(const FloorConfig& config) {
   }
   FloorParameters parameters;
   parameters.method = config.method == "original" ? FloorMethod::kOriginal : FloorMethod::kImproved;
-  forEachKey(config, parameters, [](const char*, const auto& from, auto& to) { to = from; });
+  forEachKey([](const char*, const auto& from, auto& to) { to = from; }, config, parameters);
   return parameters;
 }
 

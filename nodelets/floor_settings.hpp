@@ -7,8 +7,9 @@
 
 namespace pilothouse {
 
-/// Reads every key of FloorParameters; where one is missing the value in `parameters` stays.
-/// Faults of types are the reader's, those of ranges come from validate().
+/// Reads every key of FloorParameters, each within the range of config/Floor.cfg (a test holds that
+/// to validate()); where one is missing the value in `parameters` stays. Combinations that are
+/// wrong together are faults too.
 void readFloorParameters(StrictParameters& reader, FloorParameters& parameters);
 
 FloorConfig toConfig(const FloorParameters& parameters);

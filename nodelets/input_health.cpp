@@ -21,12 +21,16 @@ void InputHealth::listening(bool on) {
   arrived_since_listening_ = 0;
 }
 
-void InputHealth::arrived(const ros::Time& stamp, const ros::Time& now) {
+void InputHealth::arrived() {
   std::lock_guard<std::mutex> lock(mutex_);
   last_arrival_ = Clock::now();
   arrivals_[arrived_since_listening_++ % kWindow] = last_arrival_;
   ++arrived_;
-  age_ = (now - stamp).toSec();
+}
+
+void InputHealth::stamped(const ros::Duration& age) {
+  std::lock_guard<std::mutex> lock(mutex_);
+  age_ = age.toSec();
 }
 
 void InputHealth::accepted(Clock::duration processing) {

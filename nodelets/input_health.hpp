@@ -1,7 +1,7 @@
 #pragma once
 
 #include <diagnostic_updater/DiagnosticStatusWrapper.h>
-#include <ros/time.h>
+#include <ros/duration.h>
 
 #include <array>
 #include <chrono>
@@ -23,7 +23,9 @@ class InputHealth {
 
   /// The input was subscribed to, or not any more (then the state is idle).
   void listening(bool on);
-  void arrived(const ros::Time& stamp, const ros::Time& now);
+  void arrived();
+  /// @param age ROS time from the input's stamp to its arrival.
+  void stamped(const ros::Duration& age);
   void accepted(Clock::duration processing);
   /// @param kind one of a few words to count by; @param reason in full, for a human.
   void rejected(const std::string& kind, const std::string& reason);

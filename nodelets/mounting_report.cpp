@@ -1,0 +1,45 @@
+#include "nodelets/mounting_report.hpp"
+
+#include <cmath>
+
+namespace pilothouse {
+namespace {
+
+using diagnostic_msgs::DiagnosticStatus;
+
+double degrees(double radians) {
+  return radians * 180.0 / 3.14159265358979323846;
+}
+
+}  // namespace
+
+void reportMounting(const MountingEstimate& estimate, bool used,
+                    diagnostic_updater::DiagnosticStatusWrapper& status) {
+  const double pitch_error = degrees(estimate.pitch_error);
+  const double roll_error = degrees(estimate.roll_error);
+  status.add("estimate used", used);
+  status.add("frames", estimate.frames);
+  if (!estimate.valid) {
+    status.summary(DiagnosticStatus::OK, "not estimated: too little floor seen so far");
+    return;
+  }
+  status.add("height [m]", estimate.height);
+  status.add("pitch [deg]", degrees(estimate.pitch));
+  status.add("roll [deg]", degrees(estimate.roll));
+  status.add("height error [m]", estimate.height_error);
+  status.add("pitch error [deg]", pitch_error);
+  status.add("roll error [deg]", roll_error);
+  const bool off = !(std::abs(pitch_error) <= kMountingAngleWarning) ||
+                   !(std::abs(roll_error) <= kMountingAngleWarning) ||
+                   !(std::abs(estimate.height_error) <= kMountingHeightWarning);
+  if (!off) {
+    status.summary(DiagnosticStatus::OK, "as configured");
+    return;
+  }
+  status.summaryf(DiagnosticStatus::WARN,
+                  "the camera is not mounted as configured: %+.1f cm higher, pitch %+.1f deg, "
+                  "roll %+.1f deg",
+                  estimate.height_error * 100.0, pitch_error, roll_error);
+}
+
+}  // namespace pilothouse
