@@ -16,7 +16,9 @@
 namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
-void interrupt(int) { interrupted = 1; }
+void interrupt(int) {
+  interrupted = 1;
+}
 
 int refuse(const std::string& reason) {
   std::fprintf(stderr, "console: %s\n", reason.c_str());

@@ -15,7 +15,6 @@ Situation situationOf(const ConsoleState& state, const std::string& robot, doubl
   situation.now = now;
   situation.link = state.link.get();
   situation.complaints = state.complaints.get();
-  situation.missing_transform = state.missing_transform.get();
   situation.robot = robot;
   const auto advertised = state.advertised.get();
   const auto names = state.names.get();
@@ -36,9 +35,20 @@ Situation situationOf(const ConsoleState& state, const std::string& robot, doubl
       }
     }
   };
-  add("depth", "camera/depth/image_rect",
-      anyOf({"camera/depth/image_rect", "camera/depth/points"}), true, state.depth.state(now));
+  add("depth", "camera/depth/image_rect", anyOf({"camera/depth/image_rect", "camera/depth/points"}),
+      true, state.depth.state(now));
   add("floor grid", "floor_grid", anyOf({"floor_grid"}), true, state.floor.state(now));
+  const auto depth = state.depth.latest();
+  const FeedState depth_state = state.depth.state(now);
+  const auto image = names.find("camera/depth/image_rect");
+  situation.depth_without_info =
+      depth && !depth->intrinsics && image != names.end() && depth_state.topic == image->second;
+  situation.info_topic = shownTopic(state, "camera/depth/camera_info");
+  // A floor that is judged all the same needs no transform: its nodelet searches the plane.
+  if (freshness(state.floor.state(now)) > Freshness::kLate ||
+      freshness(state.floor.state(now)) == Freshness::kNever) {
+    situation.missing_transform = state.missing_transform.get();
+  }
   add("colour", "camera/rgb/image_rect_color",
       anyOf({"camera/rgb/image_rect_color", "camera/rgb/image_rect_color/compressed",
              "camera/depth/points"}),

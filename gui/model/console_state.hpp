@@ -41,7 +41,7 @@ struct FloorSettings {
   bool known = false;  ///< the nodelet has announced its parameters
   bool original = false;
   bool calibrate = false;
-  std::string fault;   ///< why the last wish was not granted; empty: it was
+  std::string fault;  ///< why the last wish was not granted; empty: it was
 };
 
 /// All that the console shows, between the ROS side that fills it and the panels that read it.
@@ -52,7 +52,7 @@ struct ConsoleState {
   Feed<FloorPicture> floor;
   Feed<ObjectsPicture> objects;
   Guarded<LinkStatus> link;
-  Guarded<std::set<std::string>> advertised;  ///< resolved names of topics with a publisher
+  Guarded<std::set<std::string>> advertised;          ///< resolved names of topics with a publisher
   Guarded<std::map<std::string, std::string>> names;  ///< relative topic -> resolved
   Guarded<std::vector<Complaint>> complaints;
   Guarded<std::string> missing_transform;

@@ -38,7 +38,9 @@ Channels channelsOf(const std::string& encoding) {
   return {0, 0, 0, 0};
 }
 
-Result refuse(const std::string& reason) { return Result::refused(reason); }
+Result refuse(const std::string& reason) {
+  return Result::refused(reason);
+}
 
 std::uint32_t bigEndian(const std::uint8_t* bytes, int count) {
   std::uint32_t value = 0;
@@ -66,8 +68,8 @@ Result colourFromImage(const sensor_msgs::Image& image) {
     return refuse(std::to_string(image.data.size()) + " bytes, expected " + std::to_string(total));
   }
   auto picture = std::make_shared<ColourPicture>();
-  picture->image = QImage(static_cast<int>(image.width), static_cast<int>(image.height),
-                          QImage::Format_RGB32);
+  picture->image =
+      QImage(static_cast<int>(image.width), static_cast<int>(image.height), QImage::Format_RGB32);
   for (std::uint32_t row = 0; row < image.height; ++row) {
     const std::uint8_t* in = image.data.data() + std::size_t{row} * image.step;
     auto* out = reinterpret_cast<QRgb*>(picture->image.scanLine(static_cast<int>(row)));
@@ -100,8 +102,8 @@ Checked<CodedSize> codedSize(const std::vector<std::uint8_t>& bytes) {
       ++at;
       continue;
     }
-    const bool frame = marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 &&
-                       marker != 0xcc;
+    const bool frame =
+        marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
     if (frame) {
       return Size::of({static_cast<int>(bigEndian(&bytes[at + 7], 2)),
                        static_cast<int>(bigEndian(&bytes[at + 5], 2))});
@@ -118,8 +120,8 @@ Result colourFromCompressed(const sensor_msgs::CompressedImage& image) {
   }
   const auto size = codedSize(image.data);
   if (!size) return refuse(size.reason());
-  const std::string fault = sizeFault(static_cast<std::size_t>(size->width),
-                                      static_cast<std::size_t>(size->height));
+  const std::string fault =
+      sizeFault(static_cast<std::size_t>(size->width), static_cast<std::size_t>(size->height));
   if (!fault.empty()) return refuse(fault);
   cv::Mat bgr;
   try {

@@ -43,7 +43,8 @@ Result DepthConverter::fromImage(const sensor_msgs::Image& image,
   picture->metres.resize(std::size_t{width} * height);
   for (std::uint32_t row = 0; row < height; ++row) {
     float* out = picture->metres.data() + std::size_t{row} * width;
-    for (std::uint32_t column = 0; column < width; ++column) out[column] = view->metres(row, column);
+    for (std::uint32_t column = 0; column < width; ++column)
+      out[column] = view->metres(row, column);
   }
   picture->frame = image.header.frame_id;
   if (info) picture->intrinsics = view->intrinsics();
@@ -80,7 +81,8 @@ void DepthConverter::paint(DepthPicture& picture, int width, int height) {
   const float* metres = picture.metres.data();
   for (int row = 0; row < height; ++row) {
     auto* line = reinterpret_cast<QRgb*>(picture.image.scanLine(row));
-    for (int column = 0; column < width; ++column) line[column] = ramp_.colour(*metres++, picture.span);
+    for (int column = 0; column < width; ++column)
+      line[column] = ramp_.colour(*metres++, picture.span);
   }
 }
 

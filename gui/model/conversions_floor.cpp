@@ -96,8 +96,8 @@ Converted<ObjectsPicture> objectsFromMessage(const ObjectList& list) {
     if (object.kind < Object::THRESHOLD || object.kind > Object::DROP_OFF) {
       return Result::refused("object of kind " + std::to_string(object.kind) + ", expected 2 to 4");
     }
-    picture->objects.push_back({p.x, p.y, object.size, static_cast<CellClass>(object.kind),
-                                object.nearest_in_row != 0});
+    picture->objects.push_back(
+        {p.x, p.y, object.size, static_cast<CellClass>(object.kind), object.nearest_in_row != 0});
   }
   return Result::of(std::move(picture));
 }

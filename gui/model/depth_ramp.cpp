@@ -10,7 +10,8 @@ namespace pilothouse::gui {
 
 DepthRamp::DepthRamp() {
   cv::Mat levels(1, 256, CV_8UC1);
-  for (int i = 0; i < 256; ++i) levels.at<unsigned char>(0, i) = static_cast<unsigned char>(255 - i);
+  for (int i = 0; i < 256; ++i)
+    levels.at<unsigned char>(0, i) = static_cast<unsigned char>(255 - i);
   cv::Mat colours;
   cv::applyColorMap(levels, colours, cv::COLORMAP_VIRIDIS);
   table_.reserve(256);
@@ -26,9 +27,8 @@ float DepthRamp::metres(QRgb colour, DepthSpan span) const {
     return std::abs(qRed(c) - qRed(colour)) + std::abs(qGreen(c) - qGreen(colour)) +
            std::abs(qBlue(c) - qBlue(colour));
   };
-  const auto best = std::min_element(table_.begin(), table_.end(), [&](QRgb a, QRgb b) {
-    return distance(a) < distance(b);
-  });
+  const auto best = std::min_element(table_.begin(), table_.end(),
+                                     [&](QRgb a, QRgb b) { return distance(a) < distance(b); });
   const auto level = static_cast<float>(std::distance(table_.begin(), best));
   return span.near_m + (span.far_m - span.near_m) * level / 255.0F;
 }
@@ -38,8 +38,9 @@ namespace {
 constexpr float kBin = 0.05F;  // m
 constexpr std::size_t kBins = 400;
 
-// Distances that 1 % and 98 % of the measured pixels stay below, from a histogram of every seventh
-// pixel: exact to a bin, and cheap.
+// Distances that 1 % and 90 % of the measured pixels stay below, from a histogram of every seventh
+// pixel: exact to a bin, and cheap. A far wall seen through a door must not take the colours away
+// from the floor.
 bool percentiles(const std::vector<float>& metres, float& low, float& high) {
   std::array<int, kBins> histogram{};
   int total = 0;
@@ -53,17 +54,17 @@ bool percentiles(const std::vector<float>& metres, float& low, float& high) {
   low = high = 0.0F;
   for (std::size_t i = 0; i < kBins; ++i) {
     if (below <= total / 100) low = static_cast<float>(i) * kBin;
-    if (below <= total - total / 50) high = static_cast<float>(i + 1) * kBin;
+    if (below <= total - total / 10) high = static_cast<float>(i + 1) * kBin;
     below += histogram[i];
   }
   return true;
 }
 
 float roundedUp(float metres) {
-  for (const float step : {1.0F, 1.5F, 2.0F, 3.0F, 4.0F, 5.0F, 6.0F, 8.0F, 10.0F, 15.0F}) {
+  for (const float step : {1.0F, 1.5F, 2.0F, 3.0F, 4.0F, 5.0F}) {
     if (metres <= step) return step;
   }
-  return 20.0F;
+  return 6.0F;
 }
 
 }  // namespace

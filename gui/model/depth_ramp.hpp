@@ -16,7 +16,8 @@ struct DepthSpan {
 class DepthRamp {
  public:
   DepthRamp();
-  /// Colour of a distance; ends are clamped. Where nothing was measured (not > 0): nothing().
+  /// Colour of a distance; what lies beyond an end takes its colour. Where nothing was measured
+  /// (not > 0): nothing().
   QRgb colour(float metres, DepthSpan span) const {
     if (!(metres > 0.0F)) return nothing();
     const float t = (metres - span.near_m) / (span.far_m - span.near_m) * 255.0F + 0.5F;
@@ -24,7 +25,7 @@ class DepthRamp {
   }
   /// The distance that a colour of the ramp stands for [m]; 0 for nothing().
   float metres(QRgb colour, DepthSpan span) const;
-  static QRgb nothing() { return qRgb(24, 27, 32); }
+  static QRgb nothing() { return qRgb(10, 11, 13); }
 
  private:
   std::vector<QRgb> table_;  ///< 256 colours, the nearest first

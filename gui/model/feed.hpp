@@ -60,13 +60,18 @@ class Feed {
   void deliver(Checked<std::shared_ptr<const Picture>> result, double at, double latency) {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (!result) {
-      meter_.rejected(result.reason());
+      meter_.rejected(at, result.reason());
       return;
     }
     if (fresh_) meter_.overwritten();
     newest_ = *result;
     fresh_ = true;
     meter_.accepted(at, latency);
+  }
+  /// A message was refused before it could be converted.
+  void reject(const std::string& reason, double now) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    meter_.rejected(now, reason);
   }
   /// The newest picture when it was not taken before, else null.
   std::shared_ptr<const Picture> take() {

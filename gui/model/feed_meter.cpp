@@ -5,8 +5,9 @@
 namespace pilothouse::gui {
 
 namespace {
-constexpr double kWindow = 4.0;         // s of arrivals that make the rate
-constexpr std::size_t kMostKept = 512;  // bounds the memory of a flooded topic
+constexpr double kWindow = 4.0;               // s of arrivals that make the rate
+constexpr std::size_t kMostKept = 512;        // bounds the memory of a flooded topic
+constexpr double kRejectionShown = 5.0;       // s
 constexpr std::uint32_t kLargestGap = 10000;  // a larger one is a restart, not a loss
 }  // namespace
 
@@ -37,8 +38,9 @@ void FeedMeter::accepted(double arrival, double latency) {
   rejection_.clear();
 }
 
-void FeedMeter::rejected(const std::string& reason) {
+void FeedMeter::rejected(double now, const std::string& reason) {
   ++rejected_;
+  rejected_at_ = now;
   rejection_ = reason;
 }
 
@@ -48,7 +50,7 @@ FeedState FeedMeter::state(double now) const {
   state.age_s = ever_ ? std::max(0.0, now - origin_) : 0.0;
   state.drops = drops_;
   state.rejected = rejected_;
-  state.rejection = rejection_;
+  if (now - rejected_at_ < kRejectionShown) state.rejection = rejection_;
   state.topic = topic_;
   const auto first = std::find_if(arrivals_.begin(), arrivals_.end(),
                                   [&](double t) { return t >= now - kWindow; });

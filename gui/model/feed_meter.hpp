@@ -8,13 +8,14 @@ namespace pilothouse::gui {
 
 /// What a header strip shows of one stream of pictures.
 struct FeedState {
-  bool ever = false;          ///< a picture was accepted at least once
-  double rate_hz = 0.0;       ///< arrivals a second over the last 4 s; 0 with fewer than two
-  double age_s = 0.0;         ///< of the newest accepted picture; meaningful when `ever`
-  std::uint64_t drops = 0;    ///< lost on the way or overwritten before they were drawn
-  std::uint64_t rejected = 0; ///< refused by the checks
-  std::string rejection;      ///< why the last message was refused; empty when it was accepted
-  std::string topic;          ///< where the newest message came from
+  bool ever = false;           ///< a picture was accepted at least once
+  double rate_hz = 0.0;        ///< arrivals a second over the last 4 s; 0 with fewer than two
+  double age_s = 0.0;          ///< of the newest accepted picture; meaningful when `ever`
+  std::uint64_t drops = 0;     ///< lost on the way or overwritten before they were drawn
+  std::uint64_t rejected = 0;  ///< refused by the checks
+  std::string rejection;       ///< why the last message was refused; empty when it was accepted
+                               ///< or none came for 5 s
+  std::string topic;           ///< where the newest message came from
 };
 
 enum class Freshness { kNever, kFresh, kLate, kStale };
@@ -36,7 +37,7 @@ class FeedMeter {
   /// The message that arrived at `arrival` was accepted. @param latency age that it already had on
   /// arrival [s], 0 where its stamp is of another clock.
   void accepted(double arrival, double latency);
-  void rejected(const std::string& reason);
+  void rejected(double now, const std::string& reason);
   FeedState state(double now) const;
 
  private:
@@ -44,7 +45,7 @@ class FeedMeter {
   std::string publisher_, topic_, rejection_;
   std::uint32_t seq_ = 0;
   std::uint64_t drops_ = 0, rejected_ = 0;
-  double origin_ = 0.0;
+  double origin_ = 0.0, rejected_at_ = 0.0;
   bool ever_ = false;
 };
 

@@ -30,9 +30,9 @@ void MapView::fit(QRectF metres, QPointF left_top, QPointF right_bottom) {
   const double room_x = std::max(20.0, size_.width() - left_top.x() - right_bottom.x());
   const double room_y = std::max(20.0, size_.height() - left_top.y() - right_bottom.y());
   // x of the base frame runs up the widget, y across it.
-  scale_ = std::clamp(std::min(room_y / std::max(0.1, metres.width()),
-                               room_x / std::max(0.1, metres.height())),
-                      kLeastScale, kMostScale);
+  scale_ = std::clamp(
+      std::min(room_y / std::max(0.1, metres.width()), room_x / std::max(0.1, metres.height())),
+      kLeastScale, kMostScale);
   const QPointF off((right_bottom.x() - left_top.x()) * 0.5,
                     (right_bottom.y() - left_top.y()) * 0.5);
   centre_ = metres.center() - QPointF(off.y(), off.x()) / scale_;

@@ -78,7 +78,8 @@ std::vector<FootprintPoint> footprint(const YAML::Node& node) {
     const std::string key = "footprint[" + std::to_string(i) + "]";
     const YAML::Node point = node[i];
     if (!point.IsSequence() || point.size() != 2) fail(key, point, "[x, y] in metres");
-    points.push_back({number(point[0], key + " x", -5.0, 5.0), number(point[1], key + " y", -5.0, 5.0)});
+    points.push_back(
+        {number(point[0], key + " x", -5.0, 5.0), number(point[1], key + " y", -5.0, 5.0)});
   }
   const double area = doubledArea(points);
   if (std::abs(area) < 2e-4) throw Fault("footprint: no area, expected a polygon");
@@ -87,7 +88,8 @@ std::vector<FootprintPoint> footprint(const YAML::Node& node) {
 }
 
 RobotDescription describe(const YAML::Node& root) {
-  if (!root.IsMap()) throw Fault("expected a map with name, title, base, footprint, height, camera");
+  if (!root.IsMap())
+    throw Fault("expected a map with name, title, base, footprint, height, camera");
   onlyKnown(root, "", {"name", "title", "base", "footprint", "height", "camera", "floor"});
   RobotDescription robot;
   robot.name = text(root, "name");

@@ -90,7 +90,8 @@ void RosLink::setPhase(LinkPhase phase, double round_trip_ms) {
     status.since = steadySeconds();
   }
   status.master_uri = ros::master::getURI();
-  while (!status.master_uri.empty() && status.master_uri.back() == '/') status.master_uri.pop_back();
+  while (!status.master_uri.empty() && status.master_uri.back() == '/')
+    status.master_uri.pop_back();
   status.round_trip_ms = round_trip_ms;
   state_.link.set(status);
 }

@@ -4,9 +4,11 @@
 #include <ros/master.h>
 #include <ros/service.h>
 
+#include <boost/make_shared.hpp>
 #include <cmath>
 
 #include "gui/model/clock.hpp"
+#include "gui/model/guarded_helper.hpp"
 
 namespace pilothouse::gui {
 
@@ -36,9 +38,12 @@ RosStreams::RosStreams(ConsoleState& state)
   depth_ = subscribe("camera/depth/image_rect", conversions_.depth, state_.depth);
   floor_ = subscribe("floor_grid", conversions_.floor, state_.floor);
   objects_ = subscribe("objects/camera", conversions_.objects, state_.objects);
-  info_ = node_.subscribe<sensor_msgs::CameraInfo>(
-      "camera/depth/camera_info", 1,
-      [this](const sensor_msgs::CameraInfoConstPtr& info) { conversions_.info.set(info); });
+  info_ = listen<sensor_msgs::CameraInfo>(
+      "camera/depth/camera_info",
+      [this](const ros::MessageEvent<const sensor_msgs::CameraInfo>& event) {
+        conversions_.info.set(event.getConstMessage());
+      },
+      [this](const std::string& reason) { state_.depth.reject(reason, steadySeconds()); });
   complaints_ = node_.subscribe<diagnostic_msgs::DiagnosticArray>(
       "diagnostics", 10, [this](const diagnostic_msgs::DiagnosticArrayConstPtr& array) {
         diagnostics_.update(*array, steadySeconds());
@@ -57,22 +62,32 @@ RosStreams::~RosStreams() {
   state_.floor_settings.set({});
 }
 
+template <class Message>
+ros::Subscriber RosStreams::listen(
+    const std::string& topic,
+    const boost::function<void(const ros::MessageEvent<const Message>&)>& receive,
+    const std::function<void(const std::string&)>& refused) {
+  ros::SubscribeOptions options(topic, 2, ros::message_traits::md5sum<Message>(),
+                                ros::message_traits::datatype<Message>());
+  options.helper = boost::make_shared<GuardedHelper<Message>>(receive, refused);
+  options.transport_hints = ros::TransportHints().tcpNoDelay();
+  return node_.subscribe(options);
+}
+
 template <class Message, class Picture>
 ros::Subscriber RosStreams::subscribe(const std::string& topic, Mailbox<Message>& box,
                                       Feed<Picture>& feed) {
   const std::string name = node_.resolveName(topic);
-  boost::function<void(const ros::MessageEvent<const Message>&)> receive =
+  return listen<Message>(
+      topic,
       [this, &box, &feed, name](const ros::MessageEvent<const Message>& event) {
         const auto message = event.getConstMessage();
         const double now = steadySeconds();
         feed.arrived(now, message->header.seq, event.getPublisherName(), name);
         if (box.put({message, now, latencyOf(message->header.stamp), name})) feed.overwritten();
         conversions_.wake();
-      };
-  ros::SubscribeOptions options;
-  options.initByFullCallbackType<const ros::MessageEvent<const Message>&>(topic, 2, receive);
-  options.transport_hints = ros::TransportHints().tcpNoDelay();
-  return node_.subscribe(options);
+      },
+      [&feed](const std::string& reason) { feed.reject(reason, steadySeconds()); });
 }
 
 void RosStreams::review() {
@@ -88,7 +103,9 @@ void RosStreams::review() {
 
 void RosStreams::chooseSources() {
   const auto advertised = state_.advertised.get();
-  const auto there = [&](const char* topic) { return advertised.count(node_.resolveName(topic)) > 0; };
+  const auto there = [&](const char* topic) {
+    return advertised.count(node_.resolveName(topic)) > 0;
+  };
   const double now = steadySeconds();
   const auto flows = [&](const FeedState& feed, const char* topic) {
     return feed.ever && feed.age_s < kStaleAfter && feed.topic == node_.resolveName(topic);
@@ -97,8 +114,8 @@ void RosStreams::chooseSources() {
   const bool waited = now - began_ > kStaleAfter;
   const FeedState depth = state_.depth.state(now);
   // A cloud is ten times a depth image's bytes: only where no image is to be had.
-  const bool image_silent = !there("camera/depth/image_rect") ||
-                            (waited && !flows(depth, "camera/depth/image_rect"));
+  const bool image_silent =
+      !there("camera/depth/image_rect") || (waited && !flows(depth, "camera/depth/image_rect"));
   conversions_.cloud_as_depth = cloud && image_silent;
 
   const bool raw = there("camera/rgb/image_rect_color");
@@ -124,25 +141,27 @@ void RosStreams::chooseSources() {
 ros::Subscriber RosStreams::subscribeCloud() {
   const std::string name = node_.resolveName("camera/depth/points");
   using Cloud = sensor_msgs::PointCloud2;
-  boost::function<void(const ros::MessageEvent<const Cloud>&)> receive =
-      [this, name](const ros::MessageEvent<const Cloud>& event) {
+  // One message may feed both pictures.
+  const auto forBoth = [this](const auto& tell) {
+    if (conversions_.cloud_as_depth) tell(state_.depth);
+    if (conversions_.cloud_as_colour) tell(state_.colour);
+  };
+  return listen<Cloud>(
+      "camera/depth/points",
+      [this, name, forBoth](const ros::MessageEvent<const Cloud>& event) {
         const auto cloud = event.getConstMessage();
         const double now = steadySeconds();
         const bool lost =
             conversions_.cloud.put({cloud, now, latencyOf(cloud->header.stamp), name});
-        const auto count = [&](auto& feed) {
+        forBoth([&](auto& feed) {
           feed.arrived(now, cloud->header.seq, event.getPublisherName(), name);
           if (lost) feed.overwritten();
-        };
-        if (conversions_.cloud_as_depth) count(state_.depth);
-        if (conversions_.cloud_as_colour) count(state_.colour);
+        });
         conversions_.wake();
-      };
-  ros::SubscribeOptions options;
-  options.initByFullCallbackType<const ros::MessageEvent<const Cloud>&>("camera/depth/points", 2,
-                                                                      receive);
-  options.transport_hints = ros::TransportHints().tcpNoDelay();
-  return node_.subscribe(options);
+      },
+      [forBoth](const std::string& reason) {
+        forBoth([&](auto& feed) { feed.reject(reason, steadySeconds()); });
+      });
 }
 
 void RosStreams::lookAtTransforms() {

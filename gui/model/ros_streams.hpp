@@ -8,6 +8,7 @@
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/transform_listener.h>
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -30,6 +31,11 @@ class RosStreams {
   void setFloor(const std::string& method, bool calibrate);
 
  private:
+  template <class Message>
+  ros::Subscriber listen(
+      const std::string& topic,
+      const boost::function<void(const ros::MessageEvent<const Message>&)>& receive,
+      const std::function<void(const std::string&)>& refused);
   template <class Message, class Picture>
   ros::Subscriber subscribe(const std::string& topic, Mailbox<Message>& box, Feed<Picture>& feed);
   ros::Subscriber subscribeCloud();

@@ -30,7 +30,8 @@ void aboutLink(const Situation& s, std::vector<Notice>& out) {
       out.push_back({Severity::kError, "lost the master at " + s.link.master_uri + " " +
                                            seconds(s.now - s.link.since) + " ago: reconnecting"});
       break;
-    case LinkPhase::kConnected: break;
+    case LinkPhase::kConnected:
+      break;
   }
 }
 
@@ -61,6 +62,10 @@ std::vector<Notice> notices(const Situation& situation) {
   aboutLink(situation, out);
   if (situation.link.phase == LinkPhase::kConnected) {
     for (const auto& stream : situation.streams) aboutStream(situation, stream, out);
+    if (situation.depth_without_info) {
+      out.push_back({Severity::kWarning,
+                     "no " + situation.info_topic + ": the floor cannot be judged without it"});
+    }
     if (!situation.missing_transform.empty()) {
       out.push_back({Severity::kWarning, "no transform from " + situation.missing_transform});
     }

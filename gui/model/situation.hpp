@@ -39,6 +39,8 @@ struct Situation {
   double now = 0.0;
   LinkStatus link;
   std::vector<ExpectedStream> streams;
+  bool depth_without_info = false;  ///< depth images arrive, camera_info does not
+  std::string info_topic;
   std::string missing_transform;  ///< "base_link to camera_depth_optical_frame"; empty: none
   std::vector<Complaint> complaints;
   std::string robot;  ///< whose YAML the console has read

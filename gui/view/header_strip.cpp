@@ -74,8 +74,12 @@ QString HeaderStrip::figures() const {
       .arg(ageText(state_.age_s), countText(state_.drops));
 }
 
-QSize HeaderStrip::sizeHint() const { return {320, theme::kStripHeight}; }
-QSize HeaderStrip::minimumSizeHint() const { return {200, theme::kStripHeight}; }
+QSize HeaderStrip::sizeHint() const {
+  return {320, theme::kStripHeight};
+}
+QSize HeaderStrip::minimumSizeHint() const {
+  return {200, theme::kStripHeight};
+}
 
 void HeaderStrip::resizeEvent(QResizeEvent*) {
   const int top = (height() - kButton) / 2;
@@ -101,7 +105,8 @@ void HeaderStrip::paintEvent(QPaintEvent*) {
     const int wide = metrics.horizontalAdvance(widest);
     if (right - wide < title_end) return false;
     painter.setPen(colour);
-    painter.drawText(QRect(right - wide, 0, wide, height()), Qt::AlignVCenter | Qt::AlignRight, text);
+    painter.drawText(QRect(right - wide, 0, wide, height()), Qt::AlignVCenter | Qt::AlignRight,
+                     text);
     right -= wide + 12;
     return true;
   };
@@ -114,7 +119,7 @@ void HeaderStrip::paintEvent(QPaintEvent*) {
   const QColor colour = !state_.rejection.empty() || fresh == Freshness::kStale ? theme::kError
                         : fresh == Freshness::kLate                             ? theme::kWarning
                                                                                 : theme::kGood;
-  column(tr("%1 dropped").arg(countText(state_.drops)), tr("0000 dropped"),
+  column(tr("%1 dropped").arg(countText(state_.drops)), tr("000 dropped"),
          state_.drops > 0 ? theme::kText : theme::kMuted);
   if (column(tr("age %1").arg(ageText(state_.age_s)), tr("age 00.0 s"), colour)) {
     painter.setBrush(colour);

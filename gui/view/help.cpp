@@ -18,8 +18,9 @@ QLabel* keyLabel(const QString& text) {
   auto* label = new QLabel(text);
   label->setFont(theme::smallFont());
   label->setAlignment(Qt::AlignCenter);
-  label->setStyleSheet("background: #242a32; border: 1px solid #3d4754; border-radius: 4px; "
-                       "padding: 2px 8px; color: #e8ecf1;");
+  label->setStyleSheet(
+      "background: #242a32; border: 1px solid #3d4754; border-radius: 4px; "
+      "padding: 2px 8px; color: #e8ecf1;");
   return label;
 }
 
@@ -67,7 +68,8 @@ void showShortcuts(QMainWindow& window) {
     for (const auto* action : top->menu()->actions()) {
       QStringList keys;
       for (const auto& key : action->shortcuts()) keys << key.toString(QKeySequence::NativeText);
-      if (!keys.isEmpty()) addRow(grid, action->text().remove('&'), keys.join(QObject::tr("  or  ")));
+      if (!keys.isEmpty())
+        addRow(grid, action->text().remove('&'), keys.join(QObject::tr("  or  ")));
     }
   }
   grid->addWidget(heading(QObject::tr("Mouse on the map")), grid->rowCount(), 0);
@@ -84,10 +86,10 @@ void showAbout(QMainWindow& window) {
   layout->setContentsMargins(24, 20, 24, 16);
   auto* name = new QLabel(QObject::tr("Pilothouse %1").arg(PILOTHOUSE_VERSION));
   name->setFont(theme::headingFont());
-  auto* text = new QLabel(QObject::tr(
-      "The operator's console of small mobile robots with a depth camera.\n"
-      "It knows the robot only through ROS topics and services.\n\n"
-      "BSD-3-Clause. Uses Qt (LGPL), ROS, OpenCV and yaml-cpp."));
+  auto* text =
+      new QLabel(QObject::tr("The operator's console of small mobile robots with a depth camera.\n"
+                             "It knows the robot only through ROS topics and services.\n\n"
+                             "BSD-3-Clause. Uses Qt (LGPL), ROS, OpenCV and yaml-cpp."));
   text->setStyleSheet("color: #a0abb9;");
   layout->addWidget(name);
   layout->addWidget(text);

@@ -18,13 +18,16 @@
 namespace pilothouse::gui {
 
 namespace {
-constexpr int kPictureInterval = 33;   // ms: at most 30 fps
-constexpr int kNumberInterval = 200;   // ms
-constexpr int kLayoutVersion = 1;      // raise when ids or places of panels change
+constexpr int kPictureInterval = 33;  // ms: at most 30 fps
+constexpr int kNumberInterval = 200;  // ms
+constexpr int kLayoutVersion = 1;     // raise when ids or places of panels change
 }  // namespace
 
 MainWindow::MainWindow(const PanelContext& context, bool remember)
-    : context_(context), remember_(remember), status_(new StatusLine), pictures_(new QTimer(this)),
+    : context_(context),
+      remember_(remember),
+      status_(new StatusLine),
+      pictures_(new QTimer(this)),
       numbers_(new QTimer(this)) {
   setWindowTitle(tr("Pilothouse - %1").arg(QString::fromStdString(context.robot.title)));
   setDockOptions(AllowNestedDocks | AllowTabbedDocks | AnimatedDocks);
@@ -33,7 +36,7 @@ MainWindow::MainWindow(const PanelContext& context, bool remember)
   auto* bar = new QStatusBar;
   bar->setSizeGripEnabled(false);
   bar->setContentsMargins(0, 0, 0, 0);
-  bar->addWidget(status_, 1);
+  bar->addPermanentWidget(status_, 1);
   setStatusBar(bar);
   buildMenus();
   resetLayout();
@@ -63,7 +66,8 @@ void MainWindow::addPanel(const PanelEntry& entry) {
   if (auto* strip = qobject_cast<HeaderStrip*>(panel->titleStrip())) {
     dock->setTitleBarWidget(strip);
     connect(strip, &HeaderStrip::closeWanted, dock, &QDockWidget::close);
-    connect(strip, &HeaderStrip::floatWanted, dock, [dock] { dock->setFloating(!dock->isFloating()); });
+    connect(strip, &HeaderStrip::floatWanted, dock,
+            [dock] { dock->setFloating(!dock->isFloating()); });
   }
   panels_.push_back({entry, panel, dock});
 }
@@ -78,9 +82,9 @@ void MainWindow::resetLayout() {
     QDockWidget*& last = shown.entry.place == PanelPlace::kMain ? main : side;
     shown.dock->setFloating(false);
     if (!last) {
-      addDockWidget(shown.entry.place == PanelPlace::kMain ? Qt::LeftDockWidgetArea
-                                                           : Qt::RightDockWidgetArea,
-                    shown.dock);
+      addDockWidget(
+          shown.entry.place == PanelPlace::kMain ? Qt::LeftDockWidgetArea : Qt::RightDockWidgetArea,
+          shown.dock);
       columns << shown.dock;
       widths << (shown.entry.place == PanelPlace::kMain ? 820 : 454);
     } else if (shown.entry.place == PanelPlace::kMain) {
@@ -108,7 +112,8 @@ void MainWindow::buildMenus() {
   int number = 1;
   for (const auto& shown : panels_) {
     if (!shown.dock) {
-      auto* missing = view->addAction(tr("%1 (%2)").arg(shown.entry.title, shown.entry.hindrance()));
+      auto* missing =
+          view->addAction(tr("%1 (%2)").arg(shown.entry.title, shown.entry.hindrance()));
       missing->setEnabled(false);
       continue;
     }
@@ -123,9 +128,8 @@ void MainWindow::buildMenus() {
     for (auto* action : actions) view->addAction(action);
   }
   view->addSeparator();
-  auto* whole = view->addAction(tr("Full screen"), this, [this] {
-    setWindowState(windowState() ^ Qt::WindowFullScreen);
-  });
+  auto* whole = view->addAction(tr("Full screen"), this,
+                                [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
   whole->setShortcut(QKeySequence("F11"));
   auto* reset = view->addAction(tr("Reset the layout"), this, &MainWindow::resetLayout);
   reset->setShortcut(QKeySequence("Ctrl+0"));

@@ -14,9 +14,9 @@ namespace pilothouse::gui {
 
 namespace {
 constexpr double kUsualHalfAngle = 0.5;  // rad, about a Kinect's 57 degrees
-constexpr double kConeLength = 4.0;      // m
-constexpr double kMargin = 14.0;         // px round the fitted content
-constexpr double kLegendRoom = 44.0;     // px at the bottom
+constexpr double kConeLength = 4.0;      // m, until a grid tells how far it reaches
+constexpr double kMargin = 22.0;         // px round the fitted content
+constexpr double kLegendRoom = 52.0;     // px at the bottom
 }  // namespace
 
 MapCanvas::MapCanvas(const RobotDescription& robot, QWidget* parent)
@@ -112,30 +112,40 @@ QString MapCanvas::readoutText() const {
   return text;
 }
 
-void MapCanvas::paintCone(QPainter& painter) const {
+QPainterPath MapCanvas::cone() const {
   const CameraPose pose =
       camera_.value_or(CameraPose{robot_.camera_x, robot_.camera_y, robot_.camera_yaw});
+  const double length =
+      floor_
+          ? std::max(0.5, double(floor_->geometry.x_min) +
+                              double(floor_->geometry.cell_size) * floor_->geometry.size_x - pose.x)
+          : kConeLength;
   QPainterPath cone(view_.toPixel(pose.x, pose.y));
   constexpr int kSteps = 24;
   for (int i = 0; i <= kSteps; ++i) {
     const double angle = pose.yaw + half_angle_ * (2.0 * i / kSteps - 1.0);
-    cone.lineTo(view_.toPixel(pose.x + kConeLength * std::cos(angle),
-                              pose.y + kConeLength * std::sin(angle)));
+    cone.lineTo(
+        view_.toPixel(pose.x + length * std::cos(angle), pose.y + length * std::sin(angle)));
   }
   cone.closeSubpath();
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(QPen(QColor(0x5a, 0xb4, 0xff, 130), 1));
-  painter.setBrush(QColor(0x5a, 0xb4, 0xff, floor_ ? 12 : 22));
-  painter.drawPath(cone);
+  return cone;
 }
 
 void MapCanvas::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), theme::kWindow);
   paintGrid(painter, view_, size());
+  // The view of the camera is filled below the cells, so that these keep their colours, and
+  // outlined above.
+  const QPainterPath seen = cone();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.fillPath(seen, QColor(0x5a, 0xb4, 0xff, 22));
   if (floor_) paintFloor(painter, view_, *floor_);
   if (objects_ && floor_) paintObjects(painter, view_, *objects_);
-  paintCone(painter);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(QColor(0x5a, 0xb4, 0xff, 130), 1));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawPath(seen);
   paintRings(painter, view_, size());
   paintRobot(painter, view_, robot_);
   const double margin = theme::kSpace;
@@ -144,9 +154,7 @@ void MapCanvas::paintEvent(QPaintEvent*) {
   } else if (floor_ && !state_.rejection.empty()) {
     paintRejected(painter, rect(), state_.rejection);
   } else if (!floor_) {
-    const QRectF band(0, height() * 0.22, width(), height() * 0.28);
-    painter.fillRect(band, QColor(18, 21, 25, 225));
-    paintEmpty(painter, band, words_);
+    paintEmptyCard(painter, QRectF(0, 0, width(), height() * 0.7), words_);
   }
   paintLegend(painter, {margin, height() - margin}, width() - 150.0);
   paintScaleBar(painter, view_, {width() - margin, height() - margin});
@@ -190,9 +198,13 @@ void MapCanvas::mouseMoveEvent(QMouseEvent* event) {
   update();
 }
 
-void MapCanvas::mouseReleaseEvent(QMouseEvent*) { unsetCursor(); }
+void MapCanvas::mouseReleaseEvent(QMouseEvent*) {
+  unsetCursor();
+}
 
-void MapCanvas::mouseDoubleClickEvent(QMouseEvent*) { fit(); }
+void MapCanvas::mouseDoubleClickEvent(QMouseEvent*) {
+  fit();
+}
 
 void MapCanvas::leaveEvent(QEvent*) {
   cursor_.reset();

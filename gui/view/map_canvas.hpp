@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QPainterPath>
 #include <QWidget>
 #include <memory>
 #include <optional>
@@ -47,7 +48,7 @@ class MapCanvas : public QWidget {
 
  private:
   QRectF content() const;
-  void paintCone(QPainter& painter) const;
+  QPainterPath cone() const;
 
   RobotDescription robot_;
   MapView view_;

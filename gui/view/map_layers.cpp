@@ -25,7 +25,9 @@ void hatch(QPainter& painter, const QRectF& box) {
 
 }  // namespace
 
-QColor robotColour() { return {0xf4, 0xf7, 0xfa}; }
+QColor robotColour() {
+  return {0xf4, 0xf7, 0xfa};
+}
 
 void paintGrid(QPainter& painter, const MapView& view, QSizeF size) {
   const double step = roundLength(70.0, view.scale());
@@ -60,7 +62,8 @@ void paintRings(QPainter& painter, const MapView& view, QSizeF size) {
   for (double r = step; r * view.scale() < farthest && r < 40 * step; r += step) {
     const QPointF at = view.toPixel(r, 0);
     const QString text = metresText(r, step) + " m";
-    const QRectF box(at.x() + 3, at.y() - 17, painter.fontMetrics().horizontalAdvance(text) + 6, 16);
+    const QRectF box(at.x() + 3, at.y() - 17, painter.fontMetrics().horizontalAdvance(text) + 6,
+                     16);
     painter.fillRect(box, QColor(18, 21, 25, 150));
     painter.setPen(theme::kText);
     painter.drawText(box, Qt::AlignCenter, text);
@@ -92,19 +95,24 @@ void paintFloor(QPainter& painter, const MapView& view, const FloorPicture& floo
 
 void paintObjects(QPainter& painter, const MapView& view, const ObjectsPicture& objects) {
   painter.setRenderHint(QPainter::Antialiasing);
+  QVector<QRectF> nearest;
+  QVector<QColor> colours;
   for (const auto& object : objects.objects) {
     const double side = std::max(4.0, double(object.size) * view.scale());
     const QPointF centre = view.toPixel(double(object.x), double(object.y));
+    const QRectF box(centre.x() - side / 2, centre.y() - side / 2, side, side);
     if (!object.nearest_in_row) {
-      if (side < 6.0) continue;
-      painter.setPen(Qt::NoPen);
-      painter.setBrush(QColor(20, 10, 5, 120));
-      painter.drawEllipse(centre, side * 0.14, side * 0.14);
+      painter.fillRect(box, QColor(classColour(object.kind)));
+      if (object.kind == CellClass::kDropOff) hatch(painter, box);
       continue;
     }
-    painter.setPen(QPen(Qt::white, 1.6));
-    painter.setBrush(QColor(classColour(object.kind)));
-    painter.drawRect(QRectF(centre.x() - side / 2, centre.y() - side / 2, side, side));
+    nearest << box;
+    colours << QColor(classColour(object.kind));
+  }
+  for (int i = 0; i < nearest.size(); ++i) {
+    painter.setPen(QPen(Qt::white, 1.4));
+    painter.setBrush(colours[i]);
+    painter.drawRect(nearest[i].adjusted(0.7, 0.7, -0.7, -0.7));
   }
 }
 
@@ -116,7 +124,10 @@ void paintRobot(QPainter& painter, const MapView& view, const RobotDescription& 
     front = std::max(front, point.x);
   }
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(QPen(QColor(0x12, 0x15, 0x19), 2));
+  // A dark rim keeps it apart from any cell, a bright one from the dark.
+  painter.setPen(QPen(QColor(0x12, 0x15, 0x19), 5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.drawPolygon(outline);
+  painter.setPen(QPen(theme::kAccent, 2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   painter.setBrush(robotColour());
   painter.drawPolygon(outline);
   // Heading: an arrow head inside the front.

@@ -17,7 +17,7 @@ void paintGrid(QPainter& painter, const MapView& view, QSizeF size);
 /// Rings of range about the robot, with metres.
 void paintRings(QPainter& painter, const MapView& view, QSizeF size);
 void paintFloor(QPainter& painter, const MapView& view, const FloorPicture& floor);
-/// Nearest of their row bright and outlined, the others as small dots.
+/// The nearest of their row outlined in white, the others plain.
 void paintObjects(QPainter& painter, const MapView& view, const ObjectsPicture& objects);
 void paintRobot(QPainter& painter, const MapView& view, const RobotDescription& robot);
 void paintScaleBar(QPainter& painter, const MapView& view, QPointF right_bottom);

@@ -25,14 +25,17 @@ namespace {
 
 using Result = Checked<Options>;
 
-Result refuse(const QString& reason) { return Result::refused(reason.toStdString()); }
+Result refuse(const QString& reason) {
+  return Result::refused(reason.toStdString());
+}
 
 // The file of a robot: as given, or by its name in the installed or the source configuration.
 QString robotFile(const QString& robot) {
-  if (robot.contains('/') || robot.endsWith(".yaml")) return QFileInfo(robot).isFile() ? robot : QString();
+  if (robot.contains('/') || robot.endsWith(".yaml"))
+    return QFileInfo(robot).isFile() ? robot : QString();
   const QString below = "/robots/" + robot + ".yaml";
-  const QString installed =
-      QDir(QCoreApplication::applicationDirPath()).filePath("../../share/pilothouse/config" + below);
+  const QString installed = QDir(QCoreApplication::applicationDirPath())
+                                .filePath("../../share/pilothouse/config" + below);
   for (const QString& file : {installed, QStringLiteral(PILOTHOUSE_CONFIG_DIR) + below}) {
     if (QFileInfo(file).isFile()) return QDir::cleanPath(file);
   }
@@ -47,7 +50,9 @@ Result parseOptions(const QStringList& arguments) {
   bool timed = false;
   for (int i = 0; i < arguments.size(); ++i) {
     const QString& argument = arguments[i];
-    const auto value = [&]() -> QString { return i + 1 < arguments.size() ? arguments[++i] : QString(); };
+    const auto value = [&]() -> QString {
+      return i + 1 < arguments.size() ? arguments[++i] : QString();
+    };
     if (argument == "--help" || argument == "-h") {
       options.help = true;
       return Result::of(options);
@@ -73,7 +78,8 @@ Result parseOptions(const QStringList& arguments) {
       return refuse("unknown option '" + argument + "' (--help lists them)");
     }
   }
-  if (timed && options.screenshot.isEmpty()) return refuse("--after and --when-complete need --screenshot FILE");
+  if (timed && options.screenshot.isEmpty())
+    return refuse("--after and --when-complete need --screenshot FILE");
   const QFileInfo folder(QFileInfo(options.screenshot).absolutePath());
   if (!options.screenshot.isEmpty() && !(folder.isDir() && folder.isWritable())) {
     return refuse("--screenshot: cannot write into " + folder.filePath());

@@ -11,8 +11,8 @@ namespace pilothouse::gui {
 struct Options {
   bool help = false;
   std::string robot_file;
-  QString screenshot;          ///< empty: none
-  double after_s = -1.0;       ///< seconds until the screenshot; < 0: when complete
+  QString screenshot;     ///< empty: none
+  double after_s = -1.0;  ///< seconds until the screenshot; < 0: when complete
 };
 
 extern const char* const kUsage;

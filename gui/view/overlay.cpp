@@ -33,6 +33,17 @@ void paintEmpty(QPainter& painter, const QRectF& area, const EmptyWords& words) 
                    flags, words.body);
 }
 
+void paintEmptyCard(QPainter& painter, const QRectF& area, const EmptyWords& words) {
+  QRectF card(0, 0, std::min(460.0, area.width() - 2 * theme::kSpace),
+              std::min(150.0, area.height() - 2 * theme::kSpace));
+  card.moveCenter(area.center());
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(theme::kLine, 1));
+  painter.setBrush(QColor(26, 30, 36, 245));
+  painter.drawRoundedRect(card, 8, 8);
+  paintEmpty(painter, card, words);
+}
+
 QRectF paintPill(QPainter& painter, QPointF at, Qt::Alignment anchor, const QString& text,
                  const QColor& colour) {
   painter.setFont(theme::smallFont());
@@ -62,8 +73,8 @@ QRectF paintPill(QPainter& painter, QPointF at, Qt::Alignment anchor, const QStr
 }
 
 void paintStale(QPainter& painter, const QRectF& area, const FeedState& state) {
-  painter.fillRect(area, QColor(18, 21, 25, 150));
   painter.save();
+  painter.fillRect(area, QColor(18, 21, 25, 150));
   painter.setClipRect(area);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(QPen(QColor(255, 123, 110, 46), 2));
@@ -77,17 +88,18 @@ void paintStale(QPainter& painter, const QRectF& area, const FeedState& state) {
   const QString age = state.age_s < 100.0
                           ? QObject::tr("%1 s").arg(static_cast<int>(state.age_s))
                           : QObject::tr("%1 min").arg(static_cast<int>(state.age_s / 60.0));
-  paintPill(painter, {area.center().x(), area.top() + theme::kSpace}, Qt::AlignHCenter | Qt::AlignTop,
-            QObject::tr("Stale: nothing new for %1").arg(age), theme::kError);
+  paintPill(painter, {area.center().x(), area.top() + theme::kSpace},
+            Qt::AlignHCenter | Qt::AlignTop, QObject::tr("Stale: nothing new for %1").arg(age),
+            theme::kError);
 }
 
 void paintRejected(QPainter& painter, const QRectF& area, const std::string& reason) {
   const QFontMetricsF metrics(theme::smallFont());
-  const QString text = metrics.elidedText(
-      QObject::tr("Rejected: %1").arg(QString::fromStdString(reason)), Qt::ElideRight,
-      std::max(60.0, area.width() - 4 * theme::kSpace));
-  paintPill(painter, {area.center().x(), area.top() + theme::kSpace}, Qt::AlignHCenter | Qt::AlignTop,
-            text, theme::kError);
+  const QString text =
+      metrics.elidedText(QObject::tr("Rejected: %1").arg(QString::fromStdString(reason)),
+                         Qt::ElideRight, std::max(60.0, area.width() - 4 * theme::kSpace));
+  paintPill(painter, {area.center().x(), area.top() + theme::kSpace},
+            Qt::AlignHCenter | Qt::AlignTop, text, theme::kError);
 }
 
 EmptyWords waitingFor(const ConsoleState& state, const QString& what,

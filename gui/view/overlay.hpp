@@ -14,6 +14,8 @@ struct EmptyWords {
 
 /// Heading and explanation in the middle of `area`.
 void paintEmpty(QPainter& painter, const QRectF& area, const EmptyWords& words);
+/// The same on a card that covers what lies below.
+void paintEmptyCard(QPainter& painter, const QRectF& area, const EmptyWords& words);
 /// A dark pill with text; `anchor` is its corner: e.g. Qt::AlignLeft | Qt::AlignBottom puts its
 /// lower left corner at `at`. @return the pill.
 QRectF paintPill(QPainter& painter, QPointF at, Qt::Alignment anchor, const QString& text,

@@ -13,7 +13,9 @@ std::vector<PanelEntry>& entries() {
 
 }  // namespace
 
-PanelRegistration::PanelRegistration(PanelEntry entry) { entries().push_back(std::move(entry)); }
+PanelRegistration::PanelRegistration(PanelEntry entry) {
+  entries().push_back(std::move(entry));
+}
 
 std::vector<PanelEntry> panelRegistry() {
   auto sorted = entries();

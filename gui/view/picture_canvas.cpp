@@ -68,8 +68,8 @@ void PictureCanvas::paintCursor(QPainter& painter, const QRectF& where) {
     painter.drawLine(at + QPointF(0, 3), at + QPointF(0, 9));
   }
   const double margin = theme::kSpace;
-  paintPill(painter, {where.left() + margin, where.bottom() - margin}, Qt::AlignLeft | Qt::AlignBottom,
-            text, theme::kText);
+  paintPill(painter, {where.left() + margin, where.bottom() - margin},
+            Qt::AlignLeft | Qt::AlignBottom, text, theme::kText);
 }
 
 void PictureCanvas::paintEvent(QPaintEvent*) {

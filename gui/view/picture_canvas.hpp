@@ -16,6 +16,8 @@ class PictureCanvas : public QWidget {
   Q_OBJECT
 
  public:
+  static constexpr int kLegendWidth = 56;  ///< px
+
   explicit PictureCanvas(QWidget* parent = nullptr);
 
   void setPicture(const QImage& image);

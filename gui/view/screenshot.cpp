@@ -24,7 +24,8 @@ void write(MainWindow& window, const QString& file) {
 
 void takeScreenshot(MainWindow& window, const QString& file, double after_s) {
   if (after_s >= 0.0) {
-    QTimer::singleShot(static_cast<int>(after_s * 1000.0), &window, [&window, file] { write(window, file); });
+    QTimer::singleShot(static_cast<int>(after_s * 1000.0), &window,
+                       [&window, file] { write(window, file); });
     return;
   }
   auto* watch = new QTimer(&window);

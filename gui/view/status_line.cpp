@@ -11,10 +11,14 @@ namespace {
 
 QColor colourOf(Severity severity) {
   switch (severity) {
-    case Severity::kGood: return theme::kGood;
-    case Severity::kNote: return theme::kAccent;
-    case Severity::kWarning: return theme::kWarning;
-    case Severity::kError: break;
+    case Severity::kGood:
+      return theme::kGood;
+    case Severity::kNote:
+      return theme::kAccent;
+    case Severity::kWarning:
+      return theme::kWarning;
+    case Severity::kError:
+      break;
   }
   return theme::kError;
 }
@@ -31,7 +35,9 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
   setObjectName("status_line");
 }
 
-QSize StatusLine::sizeHint() const { return {600, theme::kStripHeight}; }
+QSize StatusLine::sizeHint() const {
+  return {600, theme::kStripHeight};
+}
 
 void StatusLine::show(const Situation& situation) {
   const auto all = notices(situation);
@@ -53,8 +59,9 @@ void StatusLine::show(const Situation& situation) {
   linked_ = situation.link.phase == LinkPhase::kConnected;
   QString uri = QString::fromStdString(situation.link.master_uri);
   uri.remove("http://");
-  link_ = linked_ ? tr("%1  %2 ms").arg(uri).arg(std::max(0.1, situation.link.round_trip_ms), 0, 'f', 1)
-                  : tr("not connected");
+  link_ = linked_
+              ? tr("%1  %2 ms").arg(uri).arg(std::max(0.1, situation.link.round_trip_ms), 0, 'f', 1)
+              : tr("not connected");
   setToolTip(tip);
   setAccessibleName(sentence_);
   update();

@@ -43,16 +43,26 @@ QToolButton:hover { background: #313944; color: #e8ecf1; }
 QToolButton:focus, QPushButton:focus { border: 1px solid #5ab4ff; }
 QPushButton { background: #2b3440; color: #e8ecf1; border: 1px solid #3d4754; border-radius: 4px; padding: 5px 16px; }
 QPushButton:hover { background: #364252; }
+QStatusBar { background: #242a32; border: none; min-height: 32px; }
+QStatusBar::item { border: none; }
 QTabBar::tab { background: #1a1e24; color: #a0abb9; padding: 5px 14px; border: none; }
 QTabBar::tab:selected { background: #242a32; color: #e8ecf1; }
 )";
 
 }  // namespace
 
-QFont textFont() { return sized(13, QFont::Normal); }
-QFont smallFont() { return sized(12, QFont::Normal); }
-QFont titleFont() { return sized(13, QFont::DemiBold); }
-QFont headingFont() { return sized(17, QFont::DemiBold); }
+QFont textFont() {
+  return sized(13, QFont::Normal);
+}
+QFont smallFont() {
+  return sized(12, QFont::Normal);
+}
+QFont titleFont() {
+  return sized(13, QFont::DemiBold);
+}
+QFont headingFont() {
+  return sized(17, QFont::DemiBold);
+}
 
 void apply(QApplication& application) {
   application.setStyle(QStyleFactory::create("Fusion"));

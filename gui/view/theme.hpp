@@ -19,13 +19,13 @@ const QColor kGood(0x56, 0xd3, 0x9b);
 const QColor kWarning(0xff, 0xc1, 0x4d);
 const QColor kError(0xff, 0x7b, 0x6e);
 
-constexpr int kSpace = 8;        ///< the unit of all margins [px]
-constexpr int kStripHeight = 32; ///< header strips and status line [px]
+constexpr int kSpace = 8;         ///< the unit of all margins [px]
+constexpr int kStripHeight = 32;  ///< header strips and status line [px]
 
-QFont textFont();    ///< body text
-QFont smallFont();   ///< labels in pictures, figures in strips
-QFont titleFont();   ///< panel titles
-QFont headingFont(); ///< heading of an empty panel
+QFont textFont();     ///< body text
+QFont smallFont();    ///< labels in pictures, figures in strips
+QFont titleFont();    ///< panel titles
+QFont headingFont();  ///< heading of an empty panel
 
 /// Palette, stylesheet and font for the whole application.
 void apply(QApplication& application);

@@ -17,9 +17,10 @@ class ColourPanel : public Panel {
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(canvas_);
     canvas_->setObjectName("colour_canvas");
-    canvas_->setReadout([](QPoint pixel) {
-      return tr("pixel %1, %2").arg(pixel.x()).arg(pixel.y());
-    });
+    // As wide as the depth picture's, so that the two lie exactly below each other.
+    canvas_->setLegend(PictureCanvas::kLegendWidth, nullptr);
+    canvas_->setReadout(
+        [](QPoint pixel) { return tr("pixel %1, %2").arg(pixel.x()).arg(pixel.y()); });
   }
 
   void refreshPicture(double) override {

@@ -10,8 +10,6 @@ namespace pilothouse::gui {
 
 namespace {
 
-constexpr int kLegendWidth = 56;
-
 /// The depth picture in false colour with its legend, and metres under the cursor.
 class DepthPanel : public Panel {
  public:
@@ -22,7 +20,8 @@ class DepthPanel : public Panel {
     layout->addWidget(canvas_);
     canvas_->setObjectName("depth_canvas");
     canvas_->setReadout([this](QPoint pixel) { return readout(pixel); });
-    canvas_->setLegend(kLegendWidth, [this](QPainter& p, const QRectF& area) { legend(p, area); });
+    canvas_->setLegend(PictureCanvas::kLegendWidth,
+                       [this](QPainter& p, const QRectF& area) { legend(p, area); });
   }
 
   void refreshPicture(double) override {
@@ -66,14 +65,16 @@ class DepthPanel : public Panel {
     painter.drawImage(bar, colours);
     painter.setFont(theme::smallFont());
     painter.setPen(theme::kMuted);
-    painter.drawText(QRectF(bar.left(), area.top(), 40, 18), Qt::AlignLeft | Qt::AlignVCenter, tr("m"));
+    painter.drawText(QRectF(bar.left(), area.top(), 40, 18), Qt::AlignLeft | Qt::AlignVCenter,
+                     tr("m"));
     const double range = double(span.far_m) - double(span.near_m);
-    const double step = range > 8.0 ? 2.0 : range > 2.5 ? 1.0 : 0.5;
+    const double step = range > 6.0 ? 2.0 : range > 3.0 ? 1.0 : 0.5;
     for (double metres = double(span.near_m); metres < double(span.far_m) + 1e-6; metres += step) {
       const double y = bar.bottom() - (metres - double(span.near_m)) / range * bar.height();
       painter.drawLine(QPointF(bar.right() + 2, y), QPointF(bar.right() + 5, y));
       painter.drawText(QRectF(bar.right() + 8, y - 9, 30, 18), Qt::AlignLeft | Qt::AlignVCenter,
-                       QString::number(metres, 'f', step < 1.0 ? 1 : 0));
+                       QString::number(metres, 'f', step < 1.0 ? 1 : 0) +
+                           (metres + step > double(span.far_m) + 1e-6 ? "+" : ""));
     }
   }
 

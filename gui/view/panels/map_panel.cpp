@@ -44,11 +44,10 @@ class MapPanel : public Panel {
       half_angle = std::atan(depth->image.width() * 0.5 / depth->intrinsics->fx);
     }
     canvas_->setCamera(context().state.camera_pose.get(), half_angle);
-    canvas_->setState(state,
-                      waitingFor(context().state, tr("The floor grid"), {"floor_grid"},
-                                 tr("The floor nodelet makes it from depth pictures:\n"
-                                    "roslaunch pilothouse robot.launch"),
-                                 state));
+    canvas_->setState(state, waitingFor(context().state, tr("The floor grid"), {"floor_grid"},
+                                        tr("The floor nodelet makes it from depth pictures:\n"
+                                           "roslaunch pilothouse robot.launch"),
+                                        state));
   }
 
   bool complete() const override { return canvas_->hasFloor(); }
