@@ -25,6 +25,22 @@ BinningAxis fold(const Eigen::Isometry3f& T_base_sensor, int row, double shift, 
           static_cast<float>(scale * r[2]), static_cast<float>(scale * (r[3] + shift) + bias)};
 }
 
+CellMoments unpacked(const CellSlot& slot) {
+  // The copies' squares would run into the steps when added in place: two accumulators.
+  constexpr std::uint64_t kSquareMask = (std::uint64_t{1} << CellSlot::kStepBit) - 1;
+  constexpr int kCountShift = CellSlot::kCountBit - CellSlot::kStepBit;
+  std::uint64_t squares = 0, rest = 0;
+  for (const std::uint64_t copy : slot.copies) {
+    squares += copy & kSquareMask;
+    rest += copy >> CellSlot::kStepBit;
+  }
+  CellMoments moments;
+  moments.count = static_cast<std::uint32_t>(rest >> kCountShift);
+  moments.sum = rest & ((std::uint64_t{1} << kCountShift) - 1);
+  moments.sum_square = squares;
+  return moments;
+}
+
 }  // namespace
 
 BinningKernel fastestKernel() {
@@ -51,72 +67,84 @@ void Binner::useKernel(BinningKernel kernel) {
 }
 
 void Binner::choose() {
-  vector_ = geometry_.cells() <= kMaxVectorCells ? vectorKernel(kernel_) : nullptr;
-  const auto columns = static_cast<std::size_t>(geometry_.size_x) + 1;
-  const auto rows = static_cast<std::size_t>(geometry_.size_y) + 1;
-  slots_.assign(vector_ != nullptr ? columns * rows : 0, CellSlot{});
-  points_in_slots_ = 0;
+  const bool fits = geometry_.cells() <= kMaxVectorCells && geometry_.size_x <= kMaxVectorSizeX &&
+                    geometry_.size_y <= kMaxVectorSizeY;
+  vector_ = fits ? vectorKernel(kernel_) : nullptr;
+  const std::size_t count = vector_ == nullptr
+                                ? 0
+                                : (static_cast<std::size_t>(geometry_.size_x) + 2) *
+                                      (static_cast<std::size_t>(geometry_.size_y) + 2);
+  slots_.assign(count, CellSlot{});
+  spilled_.assign(count, CellMoments{});
+  sums_ = {slots_.data(), spilled_.data(), false};
 }
 
 void Binner::setPlan(const Eigen::Isometry3f& T_base_sensor) {
-  const double per_cell = 1.0 / static_cast<double>(geometry_.cell_size);
+  const double per_cell =
+      static_cast<double>(kUnitsPerCell) / static_cast<double>(geometry_.cell_size);
   const double per_step = 1.0 / static_cast<double>(scale_.step);
-  plan_.column = fold(T_base_sensor, 0, -static_cast<double>(geometry_.x_min), per_cell, 1.0);
-  plan_.row = fold(T_base_sensor, 1, -static_cast<double>(geometry_.y_min), per_cell, 1.0);
+  plan_.column =
+      fold(T_base_sensor, 0, -static_cast<double>(geometry_.x_min), per_cell, kUnitsPerCell);
+  plan_.row =
+      fold(T_base_sensor, 1, -static_cast<double>(geometry_.y_min), per_cell, kUnitsPerCell);
   plan_.step = fold(T_base_sensor, 2, -static_cast<double>(scale_.low), per_step, 0.5);
-  plan_.column_limit = static_cast<float>(geometry_.size_x) + 1.0F;
-  plan_.row_limit = static_cast<float>(geometry_.size_y) + 1.0F;
+  plan_.column_limit = static_cast<float>(geometry_.size_x + 1) * kUnitsPerCell;
+  plan_.row_limit = static_cast<float>(geometry_.size_y + 1) * kUnitsPerCell;
   plan_.step_limit = static_cast<float>(
       (static_cast<double>(scale_.high) - static_cast<double>(scale_.low)) * per_step + 0.5);
   plan_.size_x = geometry_.size_x;
+  plan_.size_y = geometry_.size_y;
 }
 
 void Binner::beginFrame() {
-  std::fill(moments_.begin(), moments_.end(), CellMoments{});
+  if (vector_ == nullptr) std::fill(moments_.begin(), moments_.end(), CellMoments{});
 }
 
-void Binner::makeRoomFor(std::size_t points) {
-  if (points_in_slots_ + points > kMaxPointsInSlots) emptySlots();
-  points_in_slots_ += points;
-}
-
-/// Adds the slots to the moments and leaves them empty for the next points.
-void Binner::emptySlots() {
-  points_in_slots_ = 0;
+/// Moves the slots' sums to the moments and leaves the slots empty for the next frame.
+void Binner::endFrame() {
+  if (vector_ == nullptr) return;
   const auto columns = static_cast<std::size_t>(geometry_.size_x);
   for (std::size_t iy = 0; iy < static_cast<std::size_t>(geometry_.size_y); ++iy) {
-    CellSlot* slot = &slots_[(iy + 1) * (columns + 1) + 1];
+    CellSlot* slot = &slots_[(iy + 1) * (columns + 2) + 1];
     CellMoments* cell = &moments_[iy * columns];
-    for (std::size_t ix = 0; ix < columns; ++ix, ++slot, ++cell) {
-      for (CellSlot::Copy& copy : slot->copies) {
-        cell->count += copy.count;
-        cell->sum += copy.sum;
-        cell->sum_square += copy.sum_square;
-        copy = {};
-      }
+    for (std::size_t ix = 0; ix < columns; ++ix) {
+      cell[ix] = unpacked(slot[ix]);
+      slot[ix] = {};
     }
   }
-  // The spare slots are never read, but their sums must not run over.
-  for (std::size_t i = 0; i <= columns; ++i) slots_[i] = {};
-  for (std::size_t i = 0; i < slots_.size(); i += columns + 1) slots_[i] = {};
+  if (sums_.any_spilled) addSpilled();
+  // The spare slots may keep what they have: nothing reads it, and a full one spills.
 }
 
-void Binner::add(CloudSpan span) {
-  if (vector_ == nullptr) return addCloudReference(plan_, span, moments_.data());
-  while (span.points > 0) {
-    CloudSpan part = span;
-    part.points = std::min(span.points, kMaxPointsInSlots);
-    makeRoomFor(part.points);
-    vector_->add_cloud(plan_, part, slots_.data());
-    span.first += part.points * span.stride;
-    span.points -= part.points;
+void Binner::addSpilled() {
+  const auto columns = static_cast<std::size_t>(geometry_.size_x);
+  for (std::size_t iy = 0; iy < static_cast<std::size_t>(geometry_.size_y); ++iy) {
+    const CellMoments* spilled = &spilled_[(iy + 1) * (columns + 2) + 1];
+    CellMoments* cell = &moments_[iy * columns];
+    for (std::size_t ix = 0; ix < columns; ++ix) {
+      cell[ix].count += spilled[ix].count;
+      cell[ix].sum += spilled[ix].sum;
+      cell[ix].sum_square += spilled[ix].sum_square;
+    }
+  }
+  std::fill(spilled_.begin(), spilled_.end(), CellMoments{});
+  sums_.any_spilled = false;
+}
+
+void Binner::add(const CloudSpan& span) {
+  if (vector_ == nullptr) {
+    addCloudReference(plan_, span, moments_.data());
+  } else {
+    vector_->add_cloud(plan_, span, sums_);
   }
 }
 
 void Binner::add(const DepthRow& row) {
-  if (vector_ == nullptr) return addDepthReference(plan_, row, moments_.data());
-  makeRoomFor(paddedWidth(row.width));
-  vector_->add_depth(plan_, row, slots_.data());
+  if (vector_ == nullptr) {
+    addDepthReference(plan_, row, moments_.data());
+  } else {
+    vector_->add_depth(plan_, row, sums_);
+  }
 }
 
 const std::vector<CellMoments>& Binner::bin(const CloudView& cloud,
@@ -133,7 +161,7 @@ const std::vector<CellMoments>& Binner::bin(const CloudView& cloud,
     span.first = cloud.row(row);
     add(span);
   }
-  if (vector_ != nullptr) emptySlots();
+  endFrame();
   return moments_;
 }
 
@@ -174,7 +202,7 @@ const std::vector<CellMoments>& Binner::bin(const DepthView& depth,
     }
     add(row);
   }
-  if (vector_ != nullptr) emptySlots();
+  endFrame();
   return moments_;
 }
 

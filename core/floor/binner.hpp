@@ -48,10 +48,10 @@ class Binner {
   void setColumnTerms(const DepthView& depth);
   void choose();
   void beginFrame();
-  void add(CloudSpan span);
+  void add(const CloudSpan& span);
   void add(const DepthRow& row);
-  void makeRoomFor(std::size_t points);
-  void emptySlots();
+  void endFrame();
+  void addSpilled();
 
   GridGeometry geometry_;
   HeightScale scale_;
@@ -60,7 +60,8 @@ class Binner {
   BinningPlan plan_{};
   std::vector<CellMoments> moments_;
   std::vector<CellSlot> slots_;
-  std::size_t points_in_slots_ = 0;
+  std::vector<CellMoments> spilled_;
+  BinningSums sums_{};
   std::vector<float> column_terms_[3];  ///< grid coordinates a unit of depth, for each image column
 };
 

@@ -17,7 +17,6 @@ struct Avx2 {
 
   static PILOTHOUSE_INLINE Float all(float value) { return _mm256_set1_ps(value); }
   static PILOTHOUSE_INLINE Float load(const float* from) { return _mm256_loadu_ps(from); }
-  static PILOTHOUSE_INLINE Float allTrue() { return _mm256_castsi256_ps(_mm256_set1_epi32(-1)); }
   static PILOTHOUSE_INLINE Float both(Float a, Float b) { return _mm256_and_ps(a, b); }
   static PILOTHOUSE_INLINE Float below(Float a, Float b) { return _mm256_cmp_ps(a, b, _CMP_LT_OQ); }
   static PILOTHOUSE_INLINE Float notAbove(Float a, Float b) {
@@ -65,42 +64,28 @@ struct Avx2 {
     return _mm256_loadu_ps(reinterpret_cast<const float*>(p));
   }
 
-  /// Byte offset of the slot: (iy * columns + ix) * 64.
-  static PILOTHOUSE_INLINE Int slotOffset(Int ix, Int iy, std::int32_t columns) {
-    return _mm256_slli_epi32(
-        _mm256_add_epi32(_mm256_mullo_epi32(iy, _mm256_set1_epi32(columns)), ix), 6);
+  /// Each 32-bit lane gets these two 16-bit halves.
+  static PILOTHOUSE_INLINE Int pairs(std::int32_t low, std::int32_t high) {
+    return _mm256_set1_epi32(low | high << 16);
   }
+  static PILOTHOUSE_INLINE Int upperHalves(Int low, Int high) {
+    return _mm256_blend_epi16(_mm256_srli_epi32(low, 16), high, 0xAA);
+  }
+  static PILOTHOUSE_INLINE Int lesser16(Int a, Int b) { return _mm256_min_epu16(a, b); }
+  static PILOTHOUSE_INLINE Int sumOfProducts16(Int a, Int b) { return _mm256_madd_epi16(a, b); }
 
-  static PILOTHOUSE_INLINE void addToSlots(Int offsets, Int q, std::uint8_t* slots) {
-    // Offsets go through memory: eight scalar loads are cheaper than eight extractions.
-    alignas(32) std::uint32_t at[kWidth];
-    _mm256_store_si256(reinterpret_cast<__m256i*>(at), offsets);
-    asm("" : "+m"(at));  // keeps the compiler from extracting after all
-    // vpmuludq squares the even lanes into 64 bits each, so that { q, 1, q * q } of four points
-    // need only a blend and an interleave.
-    const Int one = _mm256_set1_epi32(1);
-    const Int odd = _mm256_srli_epi64(q, 32);
-    const Int even_low = _mm256_blend_epi32(q, one, 0xAA);
-    const Int odd_low = _mm256_blend_epi32(odd, one, 0xAA);
-    const Int even_square = _mm256_mul_epu32(q, q);
-    const Int odd_square = _mm256_mul_epu32(odd, odd);
-    const Int p04 = _mm256_unpacklo_epi64(even_low, even_square);
-    const Int p26 = _mm256_unpackhi_epi64(even_low, even_square);
-    const Int p15 = _mm256_unpacklo_epi64(odd_low, odd_square);
-    const Int p37 = _mm256_unpackhi_epi64(odd_low, odd_square);
-    addToCopy<0>(slots + at[0], _mm256_castsi256_si128(p04));
-    addToCopy<1>(slots + at[1], _mm256_castsi256_si128(p15));
-    addToCopy<2>(slots + at[2], _mm256_castsi256_si128(p26));
-    addToCopy<3>(slots + at[3], _mm256_castsi256_si128(p37));
-    addToCopy<0>(slots + at[4], _mm256_extracti128_si256(p04, 1));
-    addToCopy<1>(slots + at[5], _mm256_extracti128_si256(p15, 1));
-    addToCopy<2>(slots + at[6], _mm256_extracti128_si256(p26, 1));
-    addToCopy<3>(slots + at[7], _mm256_extracti128_si256(p37, 1));
+  static PILOTHOUSE_INLINE void store(std::uint32_t* to, Int a) {
+    _mm256_store_si256(reinterpret_cast<__m256i*>(to), a);
   }
-  template <int kCopy>
-  static PILOTHOUSE_INLINE void addToCopy(std::uint8_t* slot, __m128i value) {
-    auto* copy = reinterpret_cast<__m128i*>(slot) + kCopy;
-    _mm_store_si128(copy, _mm_add_epi64(_mm_load_si128(copy), value));
+  /// q * (q + 2^31) + 2^56 of the even lanes, then of the odd ones: the products of 32-bit numbers
+  /// take every second lane.
+  static PILOTHOUSE_INLINE void storePacked(std::uint64_t* to, Int q) {
+    const Int shifted = _mm256_or_si256(q, _mm256_set1_epi32(INT32_MIN));
+    const Int one = _mm256_set1_epi64x(std::int64_t{1} << CellSlot::kCountBit);
+    const Int even = _mm256_mul_epu32(q, shifted);
+    const Int odd = _mm256_mul_epu32(_mm256_srli_epi64(q, 32), _mm256_srli_epi64(shifted, 32));
+    _mm256_store_si256(reinterpret_cast<__m256i*>(to), _mm256_or_si256(even, one));
+    _mm256_store_si256(reinterpret_cast<__m256i*>(to + kWidth / 2), _mm256_or_si256(odd, one));
   }
 };
 

@@ -15,16 +15,21 @@ struct BinningAxis {
   float x, y, z, offset;
 };
 
+/// Grid coordinates count in 1/65536 of a cell, so that the whole cell is the upper half of a
+/// 32-bit number.
+constexpr float kUnitsPerCell = 65536.0F;
+
 /// One frame's arithmetic. The mounting, the cell size and the height scale are folded into three
 /// axes, so that a point costs nine products:
-/// - column, row: cells from the grid's edge plus one; 1 <= column < column_limit is inside,
-/// - step: height steps above the scale's low, plus one half; step_limit and above it left out.
+/// - column, row: units from the grid's edge plus one cell; from kUnitsPerCell on and below the
+///   limit is inside,
+/// - step: height steps above the scale's low, plus one half; above step_limit is left out.
 /// A kernel cuts the fraction off, and binning_reference.cpp defines the order of the operations.
 struct BinningPlan {
   BinningAxis column, row, step;
-  float column_limit, row_limit;  ///< cells of the axis + 1
+  float column_limit, row_limit;  ///< (cells of the axis + 1) * kUnitsPerCell
   float step_limit;               ///< greatest step that counts
-  std::int32_t size_x;
+  std::int32_t size_x, size_y;
 };
 
 /// Points that follow each other every `stride` bytes, of which x, y, z (float32, in metres) lie at
@@ -51,27 +56,37 @@ constexpr std::size_t paddedWidth(std::size_t width) {
   return (width + 15) / 16 * 16;
 }
 
-/// Partial sums of a cell. Neighbouring points mostly fall into the same cell, and adding to a sum
-/// that was stored a moment ago waits for that store; so point i adds to copy i % kCopies. A copy
-/// is 16 bytes { sum u32, count u32, sum_square u64 }, updated by one 128-bit load, add and store,
-/// and the copies of one cell share one cache line.
+/// Partial sums of a cell, of which the vector kernels keep several copies. A sum packs
+///   bits 0..30 squared steps, bits 31..49 steps, bits 56..62 count,
+/// so that a point is one addition of q * (q + 2^31) + 2^56 to one word in memory. Bit 63 appears
+/// with the 128th point, when every field still fits: then the sum moves to the spilled moments.
+/// Neighbouring points mostly fall into the same cell, and adding to a word that was stored a
+/// moment ago waits for that store; so point i adds to copy i % kCopies. They share one cache line.
 struct alignas(64) CellSlot {
-  static constexpr int kCopies = 4;
-  struct Copy {
-    std::uint32_t sum, count;
-    std::uint64_t sum_square;
-  } copies[kCopies];
+  static constexpr int kCopies = 8;
+  static constexpr int kStepBit = 31, kCountBit = 56;
+  static constexpr std::uint64_t kFullCount = 128;
+  std::uint64_t copies[kCopies];
+};
+static_assert(CellSlot::kFullCount * HeightScale::kMaxStep * HeightScale::kMaxStep <
+              std::uint64_t{1} << CellSlot::kStepBit);
+static_assert(CellSlot::kFullCount * HeightScale::kMaxStep <
+              std::uint64_t{1} << (CellSlot::kCountBit - CellSlot::kStepBit));
+
+/// What a vector kernel adds to. A spare row and column at either side take the points outside
+/// without a branch: slot of cell (ix, iy) is (iy + 1) * (size_x + 2) + ix + 1.
+struct BinningSums {
+  CellSlot* slots;
+  CellMoments* spilled;  ///< for each slot
+  bool any_spilled;
 };
 
-/// A slot's 32-bit sums hold this many points: 2^20 * kMaxStep < 2^32.
-constexpr std::size_t kMaxPointsInSlots = std::size_t{1} << 20;
-static_assert(kMaxPointsInSlots * HeightScale::kMaxStep < (std::uint64_t{1} << 32));
+/// The slot's number is a sum of 16-bit products.
+constexpr std::int32_t kMaxVectorSizeX = 4000, kMaxVectorSizeY = 32000;
 
-/// Slots have a spare row and column before the first: a point below the grid's edge lands there
-/// without a branch. Slot of cell (ix, iy): (iy + 1) * (size_x + 1) + ix + 1.
 struct VectorKernel {
-  void (*add_cloud)(const BinningPlan&, const CloudSpan&, CellSlot*);
-  void (*add_depth)(const BinningPlan&, const DepthRow&, CellSlot*);
+  void (*add_cloud)(const BinningPlan&, const CloudSpan&, BinningSums&);
+  void (*add_depth)(const BinningPlan&, const DepthRow&, BinningSums&);
 };
 
 /// The kernels; nullptr when not built for this kind of processor. Whether the processor at hand

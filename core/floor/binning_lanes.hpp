@@ -16,18 +16,19 @@ namespace {
 template <class Lanes>
 class LaneBinner {
   using Float = typename Lanes::Float;
+  using Int = typename Lanes::Int;
   static constexpr std::size_t kWidth = Lanes::kWidth;
 
  public:
-  LaneBinner(const BinningPlan& plan, CellSlot* slots)
+  LaneBinner(const BinningPlan& plan, BinningSums& sums)
       : column_(plan.column),
         row_(plan.row),
         step_(plan.step),
         column_limit_(Lanes::all(plan.column_limit)),
-        row_limit_(Lanes::all(plan.row_limit)),
         step_limit_(Lanes::all(plan.step_limit)),
-        columns_(plan.size_x + 1),
-        slots_(reinterpret_cast<std::uint8_t*>(slots)) {}
+        size_limits_(Lanes::pairs(plan.size_x + 1, plan.size_y + 1)),
+        slot_weights_(Lanes::pairs(CellSlot::kCopies, (plan.size_x + 2) * CellSlot::kCopies)),
+        sums_(sums) {}
 
   void addCloud(const CloudSpan& span) const {
     std::size_t done = 0;
@@ -40,6 +41,8 @@ class LaneBinner {
       const std::uint8_t* first = span.first + span.x_offset;
       if (span.stride == 16) {
         addAdjacent<16>(first, done, 16);
+      } else if (span.stride == 32) {
+        addAdjacent<32>(first, done, 32);
       } else {
         addAdjacent<0>(first, done, span.stride);
       }
@@ -68,13 +71,22 @@ class LaneBinner {
     Float x, y, z, offset;
   };
 
+  /// @tparam kStride the stride when it is known beforehand, else 0.
   template <std::size_t kStride>
   PILOTHOUSE_INLINE void addAdjacent(const std::uint8_t* first, std::size_t points,
-                                     std::size_t stride) const {
+                                     std::size_t any_stride) const {
+    const std::size_t stride = kStride != 0 ? kStride : any_stride;
+    // A cloud is larger than the near caches, and the additions below leave the processor no room
+    // to look far enough ahead by itself. Prefetching behind the cloud's end does no harm.
+    constexpr std::size_t kAhead = 2048, kCacheLine = 64;
     for (std::size_t i = 0; i < points; i += kWidth) {
+      const std::uint8_t* from = first + i * stride;
+      for (std::size_t byte = 0; byte < kWidth * stride; byte += kCacheLine) {
+        __builtin_prefetch(from + byte + kAhead);
+      }
       Float x, y, z;
-      Lanes::template loadPoints<kStride>(first + i * stride, stride, x, y, z);
-      addPoints(x, y, z);
+      Lanes::template loadPoints<kStride>(from, stride, x, y, z);
+      addPoints(x, y, z, i);
     }
   }
 
@@ -95,7 +107,7 @@ class LaneBinner {
         for (std::size_t k = count; k < padded; ++k) tile[axis][k] = __builtin_nanf("");
       }
       for (std::size_t k = 0; k < padded; k += kWidth) {
-        addPoints(Lanes::load(&tile[0][k]), Lanes::load(&tile[1][k]), Lanes::load(&tile[2][k]));
+        addPoints(Lanes::load(&tile[0][k]), Lanes::load(&tile[1][k]), Lanes::load(&tile[2][k]), k);
       }
     }
   }
@@ -108,10 +120,13 @@ class LaneBinner {
     const auto addVector = [&](const std::uint8_t* pixels, std::size_t u)
         __attribute__((always_inline)) {
       const Float depth = Lanes::loadDepth(pixels, Pixel{});
-      add(depth * (Lanes::load(row.column_terms[0] + u) + v_column) + column_.offset,
-          depth * (Lanes::load(row.column_terms[1] + u) + v_row) + row_.offset,
-          depth * (Lanes::load(row.column_terms[2] + u) + v_step) + step_.offset,
-          Lanes::isPositive(depth));
+      const auto onAxis = [&](int axis, Float row_term, Float offset)
+          __attribute__((always_inline)) {
+        return depth * (Lanes::load(row.column_terms[axis] + u) + row_term) + offset;
+      };
+      const Float step = onAxis(2, v_step, step_.offset);
+      const Float keep = Lanes::both(Lanes::isPositive(depth), Lanes::notAbove(step, step_limit_));
+      add(onAxis(0, v_column, column_.offset), onAxis(1, v_row, row_.offset), step, keep, u);
     };
     const std::size_t whole = row.width / kWidth * kWidth;
     for (std::size_t u = 0; u < whole; u += kWidth) {
@@ -124,40 +139,74 @@ class LaneBinner {
     }
   }
 
-  PILOTHOUSE_INLINE void addPoints(Float x, Float y, Float z) const {
-    add(column_.of(x, y, z), row_.of(x, y, z), step_.of(x, y, z), Lanes::allTrue());
+  PILOTHOUSE_INLINE void addPoints(Float x, Float y, Float z, std::size_t copy) const {
+    const Float step = step_.of(x, y, z);
+    add(column_.of(x, y, z), row_.of(x, y, z), step, Lanes::notAbove(step, step_limit_), copy);
   }
 
-  PILOTHOUSE_INLINE void add(Float column, Float row, Float step, Float valid) const {
-    // NaN fails these. What lies below an edge is clamped onto the spare row or column instead.
-    const Float keep = Lanes::both(
-        Lanes::both(valid, Lanes::notAbove(step, step_limit_)),
-        Lanes::both(Lanes::below(column, column_limit_), Lanes::below(row, row_limit_)));
+  /// @param copy multiple of kWidth that changes from vector to vector.
+  PILOTHOUSE_INLINE void add(Float column, Float row, Float step, Float keep,
+                             std::size_t copy) const {
+    // NaN fails the comparison.
+    keep = Lanes::both(keep, Lanes::below(column, column_limit_));
     // Rows of the picture above the horizon or beyond the range come in long runs.
     if (Lanes::noneTrue(keep)) return;
-    const Float zero = Lanes::all(0.0F);
-    const auto ix = Lanes::cut(Lanes::greater(column, zero));
-    const auto iy = Lanes::cut(Lanes::greater(row, zero));
-    const auto q = Lanes::cut(Lanes::lesser(Lanes::greater(step, zero),
-                                            Lanes::all(static_cast<float>(HeightScale::kMaxStep))));
-    // Left out: slot 0.
-    Lanes::addToSlots(Lanes::masked(Lanes::slotOffset(ix, iy, columns_), keep), q, slots_);
+    const Float top = Lanes::all(static_cast<float>(HeightScale::kMaxStep));
+    const Int q = Lanes::cut(Lanes::lesser(Lanes::greater(step, Lanes::all(0.0F)), top));
+    // As unsigned 16-bit numbers, cells below the edge, beyond it and the overflow of a conversion
+    // are all above the limit, which is the spare cell. What keep leaves out gets slot 0.
+    const Int cells =
+        Lanes::lesser16(Lanes::upperHalves(Lanes::cut(column), Lanes::cut(row)), size_limits_);
+    const Int slot = Lanes::masked(Lanes::sumOfProducts16(cells, slot_weights_), keep);
+    // Slots and values go through memory: scalar loads are cheaper than extractions, and the
+    // additions then use none of the vector units, which are what this code runs short of.
+    alignas(32) std::uint32_t at[kWidth];
+    alignas(32) std::uint64_t value[kWidth];
+    Lanes::store(at, slot);
+    Lanes::storePacked(value, q);
+    asm("" : "+m"(at), "+m"(value));  // keeps the compiler from extracting after all
+    auto* copies = reinterpret_cast<std::uint64_t*>(sums_.slots) + copy % CellSlot::kCopies;
+    asm("" : "+r"(copies));  // one address, from which each lane's is a fixed distance
+#pragma GCC unroll 8
+    for (std::size_t lane = 0; lane < kWidth; ++lane) {
+      // storePacked puts the even lanes first.
+      const std::size_t from = lane / 2 + lane % 2 * (kWidth / 2);
+      addTo(copies + at[lane] + lane, value[from]);
+    }
+  }
+
+  PILOTHOUSE_INLINE void addTo(std::uint64_t* sum, std::uint64_t value) const {
+    *sum += value;
+    if (__builtin_expect(static_cast<std::int64_t>(*sum) < 0, 0)) spill(sum);
+  }
+
+  __attribute__((noinline, cold)) void spill(std::uint64_t* sum) const {
+    constexpr std::uint64_t kSquareMask = (std::uint64_t{1} << CellSlot::kStepBit) - 1;
+    constexpr std::uint64_t kStepMask =
+        (std::uint64_t{1} << (CellSlot::kCountBit - CellSlot::kStepBit)) - 1;
+    const auto* first = reinterpret_cast<std::uint64_t*>(sums_.slots);
+    CellMoments& moments = sums_.spilled[(sum - first) / CellSlot::kCopies];
+    moments.count += static_cast<std::uint32_t>(*sum >> CellSlot::kCountBit);
+    moments.sum += (*sum >> CellSlot::kStepBit) & kStepMask;
+    moments.sum_square += *sum & kSquareMask;
+    *sum = 0;
+    sums_.any_spilled = true;
   }
 
   Axis column_, row_, step_;
-  Float column_limit_, row_limit_, step_limit_;
-  std::int32_t columns_;
-  std::uint8_t* slots_;
+  Float column_limit_, step_limit_;
+  Int size_limits_, slot_weights_;
+  BinningSums& sums_;
 };
 
 template <class Lanes>
-void addCloudLanes(const BinningPlan& plan, const CloudSpan& span, CellSlot* slots) {
-  LaneBinner<Lanes>(plan, slots).addCloud(span);
+void addCloudLanes(const BinningPlan& plan, const CloudSpan& span, BinningSums& sums) {
+  LaneBinner<Lanes>(plan, sums).addCloud(span);
 }
 
 template <class Lanes>
-void addDepthLanes(const BinningPlan& plan, const DepthRow& row, CellSlot* slots) {
-  LaneBinner<Lanes>(plan, slots).addDepth(row);
+void addDepthLanes(const BinningPlan& plan, const DepthRow& row, BinningSums& sums) {
+  LaneBinner<Lanes>(plan, sums).addDepth(row);
 }
 
 }  // namespace

@@ -14,14 +14,14 @@ float onAxis(const BinningAxis& axis, float x, float y, float z) {
 
 void addPoint(const BinningPlan& plan, float column, float row, float step, CellMoments* cells) {
   // Written so that NaN fails every comparison.
-  if (!(column >= 1.0F && column < plan.column_limit)) return;
-  if (!(row >= 1.0F && row < plan.row_limit)) return;
+  if (!(column >= kUnitsPerCell && column < plan.column_limit)) return;
+  if (!(row >= kUnitsPerCell && row < plan.row_limit)) return;
   if (!(step <= plan.step_limit)) return;
   if (step < 0.0F) step = 0.0F;
   if (step > static_cast<float>(HeightScale::kMaxStep)) step = HeightScale::kMaxStep;
   const auto q = static_cast<std::uint32_t>(step);
-  const auto ix = static_cast<std::int32_t>(column) - 1;
-  const auto iy = static_cast<std::int32_t>(row) - 1;
+  const auto ix = static_cast<std::int32_t>(column / kUnitsPerCell) - 1;
+  const auto iy = static_cast<std::int32_t>(row / kUnitsPerCell) - 1;
   CellMoments& cell = cells[static_cast<std::ptrdiff_t>(iy) * plan.size_x + ix];
   ++cell.count;
   cell.sum += q;

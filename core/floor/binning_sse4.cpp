@@ -17,7 +17,6 @@ struct Sse4 {
 
   static PILOTHOUSE_INLINE Float all(float value) { return _mm_set1_ps(value); }
   static PILOTHOUSE_INLINE Float load(const float* from) { return _mm_loadu_ps(from); }
-  static PILOTHOUSE_INLINE Float allTrue() { return _mm_castsi128_ps(_mm_set1_epi32(-1)); }
   static PILOTHOUSE_INLINE Float both(Float a, Float b) { return _mm_and_ps(a, b); }
   static PILOTHOUSE_INLINE Float below(Float a, Float b) { return _mm_cmplt_ps(a, b); }
   static PILOTHOUSE_INLINE Float notAbove(Float a, Float b) { return _mm_cmple_ps(a, b); }
@@ -52,29 +51,28 @@ struct Sse4 {
     return _mm_loadu_ps(reinterpret_cast<const float*>(p));
   }
 
-  static PILOTHOUSE_INLINE Int slotOffset(Int ix, Int iy, std::int32_t columns) {
-    return _mm_slli_epi32(_mm_add_epi32(_mm_mullo_epi32(iy, _mm_set1_epi32(columns)), ix), 6);
+  /// Each 32-bit lane gets these two 16-bit halves.
+  static PILOTHOUSE_INLINE Int pairs(std::int32_t low, std::int32_t high) {
+    return _mm_set1_epi32(low | high << 16);
   }
+  static PILOTHOUSE_INLINE Int upperHalves(Int low, Int high) {
+    return _mm_blend_epi16(_mm_srli_epi32(low, 16), high, 0xAA);
+  }
+  static PILOTHOUSE_INLINE Int lesser16(Int a, Int b) { return _mm_min_epu16(a, b); }
+  static PILOTHOUSE_INLINE Int sumOfProducts16(Int a, Int b) { return _mm_madd_epi16(a, b); }
 
-  static PILOTHOUSE_INLINE void addToSlots(Int offsets, Int q, std::uint8_t* slots) {
-    alignas(16) std::uint32_t at[kWidth];
-    _mm_store_si128(reinterpret_cast<__m128i*>(at), offsets);
-    asm("" : "+m"(at));  // keeps the compiler from extracting after all
-    const Int one = _mm_set1_epi32(1);
-    const Int odd = _mm_srli_epi64(q, 32);
-    const Int even_low = _mm_blend_epi16(q, one, 0xCC);
-    const Int odd_low = _mm_blend_epi16(odd, one, 0xCC);
-    const Int even_square = _mm_mul_epu32(q, q);
-    const Int odd_square = _mm_mul_epu32(odd, odd);
-    addToCopy<0>(slots + at[0], _mm_unpacklo_epi64(even_low, even_square));
-    addToCopy<1>(slots + at[1], _mm_unpacklo_epi64(odd_low, odd_square));
-    addToCopy<2>(slots + at[2], _mm_unpackhi_epi64(even_low, even_square));
-    addToCopy<3>(slots + at[3], _mm_unpackhi_epi64(odd_low, odd_square));
+  static PILOTHOUSE_INLINE void store(std::uint32_t* to, Int a) {
+    _mm_store_si128(reinterpret_cast<__m128i*>(to), a);
   }
-  template <int kCopy>
-  static PILOTHOUSE_INLINE void addToCopy(std::uint8_t* slot, __m128i value) {
-    auto* copy = reinterpret_cast<__m128i*>(slot) + kCopy;
-    _mm_store_si128(copy, _mm_add_epi64(_mm_load_si128(copy), value));
+  /// q * (q + 2^31) + 2^56 of the even lanes, then of the odd ones: the products of 32-bit numbers
+  /// take every second lane.
+  static PILOTHOUSE_INLINE void storePacked(std::uint64_t* to, Int q) {
+    const Int shifted = _mm_or_si128(q, _mm_set1_epi32(INT32_MIN));
+    const Int one = _mm_set1_epi64x(std::int64_t{1} << CellSlot::kCountBit);
+    const Int even = _mm_mul_epu32(q, shifted);
+    const Int odd = _mm_mul_epu32(_mm_srli_epi64(q, 32), _mm_srli_epi64(shifted, 32));
+    _mm_store_si128(reinterpret_cast<__m128i*>(to), _mm_or_si128(even, one));
+    _mm_store_si128(reinterpret_cast<__m128i*>(to + kWidth / 2), _mm_or_si128(odd, one));
   }
 };
 
