@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Write the seeds of the fuzz targets into corpus/TARGET beside this file. Run it after changing
 what an input looks like (cloud_input.hpp, depth_input.hpp, fuzz_*.cpp), and commit the result."""
+import math
 import os
 import struct
 
@@ -112,6 +113,28 @@ CORPUS = {
         "png_huge": png(0xFFFFFFFF, 0xFFFFFFFF),
     },
 }
+
+
+def floor_seeds():
+    """A level floor seen from 0.65 m, 26 degrees down (74 of 255 parts of 1.5 rad)."""
+    def depth_at(row, rows, focal):
+        down = math.sin(0.4353) + math.cos(0.4353) * (row - rows / 2.0) / focal
+        return 0.65 / down
+    millimetres = b"".join(struct.pack("<16H", *[int(1000 * depth_at(r, 12, 12.0)) if r else 0] * 16)
+                           for r in range(12))
+    nan = float("nan")
+    points = b"".join(floats((c - 8) * z / 12.0, (r - 6) * z / 12.0, z if c else nan, 0.0)
+                      for r in range(12) for c in range(16) for z in [depth_at(r, 12, 12.0)])
+    seeds = {}
+    for choice in range(4):
+        seeds["depth_%d" % choice] = bytes([choice, 74]) + depth(16, 12, 2, 0, millimetres, f=12.0)
+        seeds["cloud_%d" % choice] = bytes([choice | 4, 74]) + cloud(16, 12, 16, data=points)
+    seeds["far"] = bytes([4, 74]) + cloud(2, 1, 12, data=floats(3e38, -3e38, 3e38, 1e-40, 0, 1e30))
+    seeds["metres"] = bytes([0, 74]) + depth(4, 1, 4, 1, floats(1.0, 3e38, 1e-40, 1.5), f=1.0)
+    return seeds
+
+
+CORPUS["floor"] = floor_seeds()
 
 
 def main():
