@@ -29,15 +29,15 @@ CellTruth obstacleKind(const SurfaceCounts& counts) {
   return high >= other ? CellTruth::kBox18cm : CellTruth::kObstacle;
 }
 
-CellTruth truthOfPoints(const SurfaceCounts& counts, std::uint32_t min_points) {
+CellTruth truthOfPoints(const SurfaceCounts& counts, std::uint32_t truth_points) {
   const std::uint32_t obstacles = obstaclesIn(counts);
   const std::uint32_t lower = of(counts, sim::Surface::kLowerLevel);
-  if (allIn(counts) < min_points) return CellTruth::kUnseen;
-  if (obstacles >= min_points) return obstacleKind(counts);
-  if (lower >= min_points) return CellTruth::kBeyond;
+  if (allIn(counts) < truth_points) return CellTruth::kUnseen;
+  if (obstacles >= truth_points) return obstacleKind(counts);
+  if (lower >= truth_points) return CellTruth::kBeyond;
   if (obstacles + lower + of(counts, sim::Surface::kBetween) > 0) return CellTruth::kUndecided;
-  if (of(counts, sim::Surface::kSill) >= min_points) return CellTruth::kSill;
-  if (of(counts, sim::Surface::kRamp) >= min_points) return CellTruth::kRamp;
+  if (of(counts, sim::Surface::kSill) >= truth_points) return CellTruth::kSill;
+  if (of(counts, sim::Surface::kRamp) >= truth_points) return CellTruth::kRamp;
   return CellTruth::kFloor;
 }
 
@@ -51,6 +51,22 @@ int cornersBeyond(const sim::DropEdge& edge, const GridGeometry& geometry, int i
     if (edge.normal.dot(p) > edge.offset) ++beyond;
   }
   return beyond;
+}
+
+/// True where the side of a ramp, too high to be driven over, runs through the cell or passes
+/// within half a cell of it.
+bool touchesHighSide(const std::vector<sim::Solid>& solids, const GridGeometry& g, int ix, int iy) {
+  const double reach = static_cast<double>(g.cell_size);
+  const Eigen::Vector3d centre(static_cast<double>(g.centreX(ix)),
+                               static_cast<double>(g.centreY(iy)), 0.0);
+  for (const sim::Solid& solid : solids) {
+    if (!(solid.slope > 0.0)) continue;
+    const Eigen::Vector3d p = solid.T_base_solid.inverse() * centre;
+    const double height = std::min(solid.top, solid.slope * (p.x() + reach));
+    const double to_side = std::abs(std::abs(p.y()) - solid.bounds.max().y());
+    if (height > sim::kDrivableStep && to_side <= reach) return true;
+  }
+  return false;
 }
 
 bool isBlocked(CellClass c) {
@@ -92,22 +108,28 @@ void countSurfaces(const std::vector<float>& depths, const std::vector<sim::Surf
 }
 
 std::vector<CellTruth> truthOf(const std::vector<SurfaceCounts>& counts, const CellRule& rule,
-                               const std::optional<sim::DropEdge>& edge) {
+                               const sim::FloorScene& scene) {
   const GridGeometry& g = rule.geometry;
   std::vector<CellTruth> truth(counts.size());
   for (int iy = 0; iy < g.size_y; ++iy) {
     for (int ix = 0; ix < g.size_x; ++ix) {
       const std::size_t i = g.index(ix, iy);
-      truth[i] = truthOfPoints(counts[i], rule.min_points);
-      const int beyond = edge ? cornersBeyond(*edge, g, ix, iy) : 0;
+      truth[i] = truthOfPoints(counts[i], rule.truth_points);
+      const int beyond = scene.edge ? cornersBeyond(*scene.edge, g, ix, iy) : 0;
       if (beyond == 4) {
         truth[i] = CellTruth::kBeyond;
-      } else if (beyond > 0 && isDrivable(truth[i])) {
+      } else if (isDrivable(truth[i]) && (beyond > 0 || touchesHighSide(scene.solids, g, ix, iy))) {
         truth[i] = CellTruth::kUndecided;
       }
     }
   }
   return truth;
+}
+
+void leaveOutUnmeasured(const std::vector<CellClass>& ceiling, std::vector<CellTruth>& truth) {
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    if (ceiling[i] == CellClass::kUnknown && isDrivable(truth[i])) truth[i] = CellTruth::kUnseen;
+  }
 }
 
 std::vector<CellClass> ceilingOf(const std::vector<SurfaceCounts>& counts, const CellRule& rule) {

@@ -14,7 +14,7 @@ namespace pilothouse::bench {
 /// What a cell is. See docs/evaluation.md for the definitions.
 enum class CellTruth : std::uint8_t {
   kUnseen,     ///< too few points: not scored
-  kUndecided,  ///< holds a little of something not drivable, or the edge runs through: not scored
+  kUndecided,  ///< holds a little of something not drivable, or an edge runs through: not scored
   kFloor,
   kRamp,
   kSill,
@@ -39,6 +39,9 @@ struct CellRule {
   GridGeometry geometry;
   double clear_height = 1.6;     ///< points above are ignored [m]
   std::uint32_t min_points = 3;  ///< of a sort that counts: the segmenter's own limit
+  /// What the truth asks for: noise moves points to the next cell and drops some, so a cell that a
+  /// perfect camera sees with the segmenter's limit of points alone is often not seen at all.
+  std::uint32_t truth_points = 6;
 };
 
 /// Sorts labelled points into cells. @param depths along the optical axis [m], 0: none.
@@ -47,10 +50,14 @@ void countSurfaces(const std::vector<float>& depths, const std::vector<sim::Surf
                    const CellRule& rule, std::vector<SurfaceCounts>& counts);
 
 std::vector<CellTruth> truthOf(const std::vector<SurfaceCounts>& counts, const CellRule& rule,
-                               const std::optional<sim::DropEdge>& edge);
+                               const sim::FloorScene& scene);
 
 /// The class that someone gives each cell who knows what every noisy point is.
 std::vector<CellClass> ceilingOf(const std::vector<SurfaceCounts>& counts, const CellRule& rule);
+
+/// Takes drivable cells out of the truth that the noisy picture does not show: whether a shown cell
+/// is called drivable is scored, not whether noise leaves it enough points. Obstacles stay in.
+void leaveOutUnmeasured(const std::vector<CellClass>& ceiling, std::vector<CellTruth>& truth);
 
 struct Share {
   std::uint64_t part = 0;

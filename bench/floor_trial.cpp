@@ -137,16 +137,19 @@ FloorResult runTrial(const FloorTask& task, std::uint64_t seed, bool keep_pictur
   rule.geometry = improved_grid.geometry;
   rule.clear_height = parameters.clear_height;
   rule.min_points = static_cast<std::uint32_t>(parameters.min_points);
+  rule.truth_points = 2 * rule.min_points;
   // A method that is not told of the mount error is judged in the frame that it is given; one that
   // corrects it, in the true frame.
   const Eigen::Isometry3d T_judged =
       task.calibrating ? truth_mounting.T_base_optical() : kConfigured.T_base_optical();
   std::vector<SurfaceCounts> counts;
   countSurfaces(perfect.depths, perfect.surfaces, camera, T_judged, rule, counts);
-  const std::vector<CellTruth> truth = truthOf(counts, rule, scene.edge);
+  std::vector<CellTruth> truth = truthOf(counts, rule, scene);
   countSurfaces(metresOf(image), perfect.surfaces, camera, T_judged, rule, counts);
   const bool is_empty = task.kind == sim::SceneKind::kEmpty;
-  result.ceiling = score(truth, ceilingOf(counts, rule), rule.geometry, is_empty);
+  const std::vector<CellClass> ceiling = ceilingOf(counts, rule);
+  leaveOutUnmeasured(ceiling, truth);
+  result.ceiling = score(truth, ceiling, rule.geometry, is_empty);
   result.original = score(truth, original_grid.classes, rule.geometry, is_empty);
   result.improved = score(truth, improved_grid.classes, rule.geometry, is_empty);
   if (task.calibrating) {

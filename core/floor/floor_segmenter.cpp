@@ -46,21 +46,19 @@ struct FloorSegmenter::Impl {
   FloorGrid grid;
   Eigen::Isometry3f T_used = Eigen::Isometry3f::Identity();
 
+  /// @return the plane that the robot stands on, where it shows.
+  std::optional<FloorSlope> judge() {
+    if (parameters.method == FloorMethod::kImproved) return improved.judge(T_used, grid);
+    judgeOriginal(parameters, grid);
+    for (std::size_t i = 0; i < is_floor.size(); ++i) is_floor[i] = isDrivable(grid.classes[i]);
+    return near_floor.fit(is_floor, grid);
+  }
+
   template <class View>
   const FloorGrid& segment(const View& view, const Eigen::Isometry3f& T_configured) {
     T_used = parameters.calibrate_mounting ? calibrator.corrected(T_configured) : T_configured;
     fillStatistics(binner.bin(view, T_used), scale, parameters.min_points, grid);
-    if (parameters.method == FloorMethod::kOriginal) {
-      judgeOriginal(parameters, grid);
-    } else {
-      improved.judge(T_used, grid);
-    }
-    for (std::size_t i = 0; i < is_floor.size(); ++i) {
-      is_floor[i] = grid.classes[i] == CellClass::kFloor ? 1 : 0;
-    }
-    if (const auto plane = near_floor.fit(is_floor, grid)) {
-      calibrator.add(*plane, T_used, T_configured);
-    }
+    if (const auto plane = judge()) calibrator.add(*plane, T_used, T_configured);
     return grid;
   }
 };

@@ -19,16 +19,13 @@ void FloorSurface::configure(const GridGeometry& geometry) {
   blocks_y_ = (geometry.size_y + kBlock - 1) / kBlock;
   const auto blocks = static_cast<std::size_t>(blocks_x_) * static_cast<std::size_t>(blocks_y_);
   sums_.assign(blocks, Sums::Zero());
-  planes_.assign(blocks, FloorSlope{});
-  solved_.assign(blocks, 0);
+  planes_.assign(blocks, LocalPlane{});
   whole_ = FloorSlope{};
 }
 
 void FloorSurface::fit(const std::vector<std::uint8_t>& is_floor,
                        const std::vector<float>& heights) {
   std::fill(sums_.begin(), sums_.end(), Sums::Zero());
-  std::fill(solved_.begin(), solved_.end(), std::uint8_t{0});
-  Sums all = Sums::Zero();
   for (int iy = 0; iy < geometry_.size_y; ++iy) {
     const double y = geometry_.centreY(iy);
     for (int bx = 0; bx < blocks_x_; ++bx) {
@@ -51,8 +48,26 @@ void FloorSurface::fit(const std::vector<std::uint8_t>& is_floor,
       sums_[static_cast<std::size_t>((iy / kBlock) * blocks_x_ + bx)] += row;
     }
   }
+  refit();
+}
+
+void FloorSurface::add(const std::uint32_t* cells, std::size_t count,
+                       const std::vector<float>& heights) {
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto cell = static_cast<int>(cells[k]);
+    const int ix = cell % geometry_.size_x, iy = cell / geometry_.size_x;
+    const double x = geometry_.centreX(ix), y = geometry_.centreY(iy), h = heights[cells[k]];
+    Sums sums;
+    sums << 1.0, x, y, x * x, x * y, y * y, h, x * h, y * h;
+    sums_[static_cast<std::size_t>((iy / kBlock) * blocks_x_ + ix / kBlock)] += sums;
+  }
+}
+
+void FloorSurface::refit() {
+  Sums all = Sums::Zero();
   for (const Sums& s : sums_) all += s;
   whole_ = all[0] >= kFewestCells ? solve(all, FloorSlope{}) : FloorSlope{};
+  for (LocalPlane& plane : planes_) plane.solved = false;
 }
 
 FloorSlope FloorSurface::solve(const Sums& s, const FloorSlope& prior) {
@@ -71,11 +86,11 @@ FloorSlope FloorSurface::solve(const Sums& s, const FloorSlope& prior) {
   return plane;
 }
 
-const FloorSlope& FloorSurface::local(int bx, int by) {
+const FloorSurface::LocalPlane& FloorSurface::local(int bx, int by) {
   const auto block = static_cast<std::size_t>(by * blocks_x_ + bx);
-  if (solved_[block] != 0) return planes_[block];
-  solved_[block] = 1;
-  planes_[block] = whole_;
+  LocalPlane& plane = planes_[block];
+  if (plane.solved) return plane;
+  FloorSlope slope = whole_;
   for (int radius = 1; radius <= 2; ++radius) {
     Sums sums = Sums::Zero();
     for (int y = std::max(0, by - radius); y <= std::min(blocks_y_ - 1, by + radius); ++y) {
@@ -84,15 +99,18 @@ const FloorSlope& FloorSurface::local(int bx, int by) {
       }
     }
     if (sums[0] < kFewestCells) continue;
-    planes_[block] = solve(sums, whole_);
+    slope = solve(sums, whole_);
     break;
   }
-  return planes_[block];
+  plane = {static_cast<float>(slope.height), static_cast<float>(slope.slope_x),
+           static_cast<float>(slope.slope_y), true};
+  return plane;
 }
 
 float FloorSurface::expected(int ix, int iy) {
-  const FloorSlope& plane = local(ix / kBlock, iy / kBlock);
-  return static_cast<float>(plane.at(geometry_.centreX(ix), geometry_.centreY(iy)));
+  const LocalPlane& plane = local(ix / kBlock, iy / kBlock);
+  return plane.height + plane.slope_x * geometry_.centreX(ix) +
+         plane.slope_y * geometry_.centreY(iy);
 }
 
 }  // namespace pilothouse

@@ -24,6 +24,10 @@ class FloorSurface {
   /// Fits anew. @param is_floor one entry a cell, non-zero where the cell belongs to the floor;
   /// @param heights [m], read only there.
   void fit(const std::vector<std::uint8_t>& is_floor, const std::vector<float>& heights);
+  /// Takes further floor cells in; they count from the next refit() on. @param cells `count`
+  /// indices, none of them taken in before.
+  void add(const std::uint32_t* cells, std::size_t count, const std::vector<float>& heights);
+  void refit();
   /// Floor height expected at the centre of a cell [m]: from the blocks round it, where these hold
   /// floor; else from the whole floor's plane.
   float expected(int ix, int iy);
@@ -31,15 +35,18 @@ class FloorSurface {
   const FloorSlope& whole() const { return whole_; }
 
  private:
-  using Sums = Eigen::Matrix<double, 9, 1>;
+  using Sums = Eigen::Matrix<double, 9, 1>;  // n, x, y, xx, xy, yy, h, xh, yh
+  struct LocalPlane {
+    float height = 0.0F, slope_x = 0.0F, slope_y = 0.0F;
+    bool solved = false;
+  };
   static FloorSlope solve(const Sums& sums, const FloorSlope& prior);
-  const FloorSlope& local(int bx, int by);
+  const LocalPlane& local(int bx, int by);
 
   GridGeometry geometry_;
   int blocks_x_ = 0, blocks_y_ = 0;
   std::vector<Sums> sums_;
-  std::vector<FloorSlope> planes_;
-  std::vector<std::uint8_t> solved_;
+  std::vector<LocalPlane> planes_;  // a block, solved when first asked for
   FloorSlope whole_;
 };
 

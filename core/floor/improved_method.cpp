@@ -14,7 +14,6 @@ constexpr float kSeedDepth = 0.5F;   // and this far beyond the nearest cell see
 constexpr float kTiltSlack = 0.06F;  // tan 3.4 deg: a mounting not yet calibrated [m/m]
 constexpr int kOffsetSamples = 15;
 constexpr float kFloorSlack = 0.001F;  // how well the floor's height at a cell is known [m]
-constexpr float kSmoothVariance = 0.003F * 0.003F;  // below, nothing hides among the floor's points
 
 }  // namespace
 
@@ -26,13 +25,16 @@ void ImprovedMethod::configure(const FloorParameters& parameters, const GridGeom
   even_.assign(geometry.cells(), 0);
   floor_.assign(geometry.cells(), 0);
   kinds_.reserve(geometry.cells());
+  votes_.reserve(geometry.cells());
   offsets_.reserve(kOffsetSamples + 1);
   patches_.configure(geometry);
   surface_.configure(geometry);
   near_floor_.configure(geometry);
 }
 
-void ImprovedMethod::judge(const Eigen::Isometry3f& T_base_camera, FloorGrid& grid) {
+std::optional<FloorSlope> ImprovedMethod::judge(const Eigen::Isometry3f& T_base_camera,
+                                                FloorGrid& grid) {
+  home_.reset();
   updateNoise(T_base_camera);
   findEven(grid);
   patches_.find(grid, even_, static_cast<float>(parameters_.step_height));
@@ -41,10 +43,13 @@ void ImprovedMethod::judge(const Eigen::Isometry3f& T_base_camera, FloorGrid& gr
   const int robot = robotPatch(grid);
   if (robot >= 0) {
     kinds_[static_cast<std::size_t>(robot)] = PatchKind::kFloor;
+    const FloorPatch& patch = patches_.patches()[static_cast<std::size_t>(robot)];
+    for (std::uint32_t k = 0; k < patch.size; ++k) floor_[patches_.cells()[patch.first + k]] = 1;
     joinIslands(grid);
   }
   classify(grid);
   markHiddenByEdge(T_base_camera.translation(), grid);
+  return home_;
 }
 
 void ImprovedMethod::updateNoise(const Eigen::Isometry3f& T_base_camera) {
@@ -78,34 +83,34 @@ void ImprovedMethod::findEven(const FloorGrid& grid) {
   }
 }
 
-int ImprovedMethod::robotPatch(const FloorGrid& grid) const {
-  const auto height_limit = [&](float x) {
-    return static_cast<float>(parameters_.seed_height) + kTiltSlack * std::abs(x);
-  };
-  int nearest = geometry_.size_x;
-  for (std::size_t i = 0; i < even_.size(); ++i) {
-    const int ix = static_cast<int>(i % static_cast<std::size_t>(geometry_.size_x));
-    if (even_[i] != 0 && ix < nearest) nearest = ix;
-  }
-  const int farthest = nearest + static_cast<int>(kSeedDepth / geometry_.cell_size);
-  int best = -1, best_score = 0;
-  for (std::size_t number = 0; number < patches_.patches().size(); ++number) {
-    const FloorPatch& patch = patches_.patches()[number];
-    int score = 0;
-    for (std::uint32_t k = patch.first; k < patch.first + patch.size; ++k) {
-      const auto cell = static_cast<int>(patches_.cells()[k]);
-      const int ix = cell % geometry_.size_x;
-      const int iy = cell / geometry_.size_x;
-      if (ix > farthest || std::abs(geometry_.centreY(iy)) > kSeedHalfWidth) continue;
-      const float height = grid.heights[static_cast<std::size_t>(cell)];
-      if (std::abs(height) <= height_limit(geometry_.centreX(ix))) ++score;
-    }
-    if (score > best_score) {
-      best_score = score;
-      best = static_cast<int>(number);
+/// The patch with the most cells near the robot at about its height, or -1.
+int ImprovedMethod::robotPatch(const FloorGrid& grid) {
+  int nearest = 0;
+  while (nearest < geometry_.size_x && !hasEvenCell(nearest)) ++nearest;
+  const int end =
+      std::min(geometry_.size_x, nearest + 1 + static_cast<int>(kSeedDepth / geometry_.cell_size));
+  votes_.assign(patches_.patches().size(), 0);
+  int best = -1;
+  for (int iy = 0; iy < geometry_.size_y; ++iy) {
+    if (std::abs(geometry_.centreY(iy)) > kSeedHalfWidth) continue;
+    for (int ix = nearest; ix < end; ++ix) {
+      const std::size_t i = geometry_.index(ix, iy);
+      const int patch = patches_.patchOf()[i];
+      const float limit = static_cast<float>(parameters_.seed_height) +
+                          kTiltSlack * std::abs(geometry_.centreX(ix));
+      if (patch < 0 || std::abs(grid.heights[i]) > limit) continue;
+      const int votes = ++votes_[static_cast<std::size_t>(patch)];
+      if (best < 0 || votes > votes_[static_cast<std::size_t>(best)]) best = patch;
     }
   }
   return best;
+}
+
+bool ImprovedMethod::hasEvenCell(int ix) const {
+  for (int iy = 0; iy < geometry_.size_y; ++iy) {
+    if (even_[geometry_.index(ix, iy)] != 0) return true;
+  }
+  return false;
 }
 
 /// Median difference between the patch's heights and those expected at (ix, iy) [m].
@@ -126,36 +131,42 @@ float ImprovedMethod::patchOffset(const FloorPatch& patch, const FloorGrid& grid
 
 void ImprovedMethod::joinIslands(const FloorGrid& grid) {
   const auto tolerance = static_cast<float>(parameters_.step_height);
-  std::optional<FloorSlope> home;
   const auto from_surface = [&](int ix, int iy) { return surface_.expected(ix, iy); };
   const auto from_home = [&](int ix, int iy) {
-    return static_cast<float>(home->at(geometry_.centreX(ix), geometry_.centreY(iy)));
+    return static_cast<float>(home_->at(geometry_.centreX(ix), geometry_.centreY(iy)));
   };
+  surface_.fit(floor_, grid.heights);
+  home_ = near_floor_.fit(floor_, grid);
   // Twice: what joins in the first round carries the surface on to what lies behind it.
   for (int round = 0; round < 2; ++round) {
-    for (std::size_t number = 0; number < kinds_.size(); ++number) {
-      if (kinds_[number] != PatchKind::kFloor) continue;
-      const FloorPatch& patch = patches_.patches()[number];
-      for (std::uint32_t k = patch.first; k < patch.first + patch.size; ++k) {
-        floor_[patches_.cells()[k]] = 1;
-      }
-    }
-    surface_.fit(floor_, grid.heights);
-    if (round == 0) home = near_floor_.fit(floor_, grid);
-    bool joined = false;
     for (std::size_t number = 0; number < kinds_.size(); ++number) {
       if (kinds_[number] == PatchKind::kFloor) continue;
       const FloorPatch& patch = patches_.patches()[number];
       const float offset = patchOffset(patch, grid, from_surface);
       const bool continues = std::abs(offset) <= tolerance ||
-                             (home && std::abs(patchOffset(patch, grid, from_home)) <= tolerance);
-      kinds_[number] = continues       ? PatchKind::kFloor
+                             (home_ && std::abs(patchOffset(patch, grid, from_home)) <= tolerance);
+      kinds_[number] = continues       ? PatchKind::kJoining
                        : offset > 0.0F ? PatchKind::kAbove
                                        : PatchKind::kBelow;
-      joined = joined || kinds_[number] == PatchKind::kFloor;
     }
-    if (!joined) return;
+    if (!takeIn(PatchKind::kJoining, grid)) return;
   }
+}
+
+/// Makes the patches of a kind floor; false where there are none.
+bool ImprovedMethod::takeIn(PatchKind kind, const FloorGrid& grid) {
+  bool any = false;
+  for (std::size_t number = 0; number < kinds_.size(); ++number) {
+    if (kinds_[number] != kind) continue;
+    any = true;
+    kinds_[number] = PatchKind::kFloor;
+    const FloorPatch& patch = patches_.patches()[number];
+    const std::uint32_t* cells = patches_.cells().data() + patch.first;
+    for (std::uint32_t k = 0; k < patch.size; ++k) floor_[cells[k]] = 1;
+    surface_.add(cells, patch.size, grid.heights);
+  }
+  if (any) surface_.refit();
+  return any;
 }
 
 /// Height of the floor at a cell: the surface round it, lowered to the floor cells that touch it,
@@ -171,21 +182,27 @@ float ImprovedMethod::floorAt(int ix, int iy, const FloorGrid& grid) {
   return surface_.expected(ix, iy) + lowest;
 }
 
-/// The class of an even cell of the floor.
+/// Whether few points of something high hide among the many of an even cell's floor.
+bool ImprovedMethod::hidesRaisedPart(std::size_t i, float variance, const FloorGrid& grid) {
+  // The height found is largest where the cell's mean is not raised at all.
+  if (variance <= kFloorSlack * (highStep() - kFloorSlack)) return false;
+  const int ix = static_cast<int>(i) % geometry_.size_x;
+  const int iy = static_cast<int>(i) / geometry_.size_x;
+  const auto over = [&](float floor) {
+    return raisedPart(grid.counts[i], std::max(0.0F, grid.heights[i] - floor), variance,
+                      kFloorSlack);
+  };
+  // A lower floor makes the part lower, so most cells need no look at their neighbours.
+  if (over(surface_.expected(ix, iy)).height <= highStep()) return false;
+  const RaisedPart part = over(floorAt(ix, iy, grid));
+  return part.height > highStep() && part.points >= fewestPoints() &&
+         part.points < 0.5F * static_cast<float>(grid.counts[i]);
+}
+
 CellClass ImprovedMethod::judgeFloorCell(std::size_t i, const FloorGrid& grid) {
   const auto threshold = static_cast<float>(parameters_.threshold_deviation);
   const float variance = grid.deviations[i] * grid.deviations[i] - noise_variance_[i];
-  if (variance > kSmoothVariance) {
-    // Few points of something high hide in the deviation among many of the floor.
-    const int cell = static_cast<int>(i);
-    const float floor = floorAt(cell % geometry_.size_x, cell / geometry_.size_x, grid);
-    const RaisedPart part =
-        raisedPart(grid.counts[i], std::max(0.0F, grid.heights[i] - floor), variance, kFloorSlack);
-    const bool few = part.points < 0.5F * static_cast<float>(grid.counts[i]);
-    if (few && part.points >= fewestPoints() && part.height > highStep()) {
-      return CellClass::kObstacle;
-    }
-  }
+  if (hidesRaisedPart(i, variance, grid)) return CellClass::kObstacle;
   return variance > threshold * threshold ? CellClass::kThreshold : CellClass::kFloor;
 }
 
@@ -222,6 +239,7 @@ void ImprovedMethod::classify(FloorGrid& grid) {
         grid.classes[i] = CellClass::kDropOff;
         break;
       case PatchKind::kAbove:
+      case PatchKind::kJoining:
       case PatchKind::kUndecided:  // no floor at the robot: nothing is known to be drivable
         grid.classes[i] = CellClass::kObstacle;
         break;

@@ -25,21 +25,25 @@ class ImprovedMethod {
   void configure(const FloorParameters& parameters, const GridGeometry& geometry);
   /// @param grid with statistics filled in; its classes are overwritten.
   /// @param T_base_camera from the camera's optical frame into the base frame.
-  void judge(const Eigen::Isometry3f& T_base_camera, FloorGrid& grid);
+  /// @return the plane that the robot stands on, where enough of it shows.
+  std::optional<FloorSlope> judge(const Eigen::Isometry3f& T_base_camera, FloorGrid& grid);
 
  private:
-  enum class PatchKind : std::uint8_t { kUndecided, kFloor, kAbove, kBelow };
+  enum class PatchKind : std::uint8_t { kUndecided, kJoining, kFloor, kAbove, kBelow };
 
   /// Raised points are an obstacle from here on: a little above the step that floor may have [m].
   float highStep() const { return 1.2F * static_cast<float>(parameters_.step_height); }
   float fewestPoints() const { return static_cast<float>(parameters_.min_points) - 0.5F; }
   void updateNoise(const Eigen::Isometry3f& T_base_camera);
   void findEven(const FloorGrid& grid);
-  int robotPatch(const FloorGrid& grid) const;
+  int robotPatch(const FloorGrid& grid);
+  bool hasEvenCell(int ix) const;
   void joinIslands(const FloorGrid& grid);
+  bool takeIn(PatchKind kind, const FloorGrid& grid);
   template <class Expected>
   float patchOffset(const FloorPatch& patch, const FloorGrid& grid, Expected expected);
   float floorAt(int ix, int iy, const FloorGrid& grid);
+  bool hidesRaisedPart(std::size_t i, float variance, const FloorGrid& grid);
   CellClass judgeFloorCell(std::size_t i, const FloorGrid& grid);
   CellClass judgeUnevenCell(std::size_t i, const FloorGrid& grid);
   void classify(FloorGrid& grid);
@@ -53,10 +57,12 @@ class ImprovedMethod {
   std::vector<std::uint8_t> even_;
   std::vector<std::uint8_t> floor_;  // even cells of patches that are floor
   std::vector<PatchKind> kinds_;
+  std::vector<int> votes_;      // a patch, scratch of robotPatch
   std::vector<float> offsets_;  // scratch of patchOffset
   FloorPatches patches_;
   FloorSurface surface_;
   NearFloor near_floor_;
+  std::optional<FloorSlope> home_;  // the plane that the robot stands on
 };
 
 }  // namespace pilothouse

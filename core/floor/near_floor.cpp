@@ -3,41 +3,48 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <limits>
 
 namespace pilothouse {
 namespace {
 
 struct Round {
-  double reach;  // floor used beyond the nearest cell [m]
-  double gate;   // residuals beyond weigh nothing [m]
+  float reach;  // floor used beyond the nearest cell [m]
+  float gate;   // residuals beyond weigh nothing [m]
 };
-constexpr std::array<Round, 7> kRounds = {
-    {{0.4, 1e3}, {0.4, 0.02}, {0.4, 0.01}, {0.6, 0.008}, {0.9, 0.006}, {1.2, 0.006}, {1.2, 0.006}}};
-constexpr int kFewestCells = 60;
+constexpr std::array<Round, 7> kRounds = {{{0.4F, 1e3F},
+                                           {0.4F, 0.02F},
+                                           {0.4F, 0.01F},
+                                           {0.6F, 0.008F},
+                                           {0.9F, 0.006F},
+                                           {1.2F, 0.006F},
+                                           {1.2F, 0.006F}}};
+constexpr Eigen::Index kFewestCells = 60;
 
 }  // namespace
 
 void NearFloor::configure(const GridGeometry& geometry) {
-  cells_.reserve(geometry.cells());
+  const auto cells = static_cast<Eigen::Index>(geometry.cells());
+  x_.resize(cells);
+  y_.resize(cells);
+  height_.resize(cells);
+  weight_.resize(cells);
 }
 
+/// Lists the floor cells within the last round's reach, nearest first.
 void NearFloor::gather(const std::vector<std::uint8_t>& is_floor, const FloorGrid& grid) {
   const GridGeometry& g = grid.geometry;
-  int nearest = g.size_x;
-  for (int iy = 0; iy < g.size_y; ++iy) {
-    for (int ix = 0; ix < nearest; ++ix) {
-      if (is_floor[g.index(ix, iy)] != 0) nearest = ix;
-    }
-  }
-  const auto reach = static_cast<int>(std::lround(kRounds.back().reach / g.cell_size));
-  const int end = std::min(g.size_x, nearest + reach);
-  nearest_x_ = g.centreX(nearest);
-  cells_.clear();
-  for (int iy = 0; iy < g.size_y; ++iy) {
-    for (int ix = nearest; ix < end; ++ix) {
+  count_ = 0;
+  float end = std::numeric_limits<float>::infinity();
+  for (int ix = 0; ix < g.size_x && g.centreX(ix) <= end; ++ix) {
+    for (int iy = 0; iy < g.size_y; ++iy) {
       const std::size_t i = g.index(ix, iy);
-      if (is_floor[i] != 0) cells_.emplace_back(g.centreX(ix), g.centreY(iy), grid.heights[i]);
+      if (is_floor[i] == 0) continue;
+      if (count_ == 0) end = g.centreX(ix) + kRounds.back().reach;
+      x_[count_] = g.centreX(ix);
+      y_[count_] = g.centreY(iy);
+      height_[count_] = grid.heights[i];
+      ++count_;
     }
   }
 }
@@ -45,24 +52,30 @@ void NearFloor::gather(const std::vector<std::uint8_t>& is_floor, const FloorGri
 std::optional<FloorSlope> NearFloor::fit(const std::vector<std::uint8_t>& is_floor,
                                          const FloorGrid& grid) {
   gather(is_floor, grid);
+  if (count_ < kFewestCells) return std::nullopt;
+  const float nearest = x_[0];
   FloorSlope plane;
   for (const Round& round : kRounds) {
-    const float end = nearest_x_ + static_cast<float>(round.reach);
-    Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
-    Eigen::Vector3d b = Eigen::Vector3d::Zero();
-    int used = 0;
-    for (const Eigen::Vector3f& cell : cells_) {
-      if (cell.x() > end) continue;
-      const Eigen::Vector3d v(1.0, cell.x(), cell.y());
-      const double h = cell.z();
-      const double t = (h - plane.at(v.y(), v.z())) / round.gate;
-      if (std::abs(t) >= 1.0) continue;
-      const double w = (1.0 - t * t) * (1.0 - t * t);  // Tukey's biweight
-      a += (w * v) * v.transpose();
-      b += (w * h) * v;
-      ++used;
-    }
-    if (used < kFewestCells) return std::nullopt;
+    const auto* end = std::upper_bound(x_.data(), x_.data() + count_, nearest + round.reach);
+    const auto n = static_cast<Eigen::Index>(end - x_.data());
+    const auto x = x_.head(n), y = y_.head(n), h = height_.head(n);
+    auto w = weight_.head(n);
+    const auto at_origin = static_cast<float>(plane.height);
+    const auto slope_x = static_cast<float>(plane.slope_x);
+    const auto slope_y = static_cast<float>(plane.slope_y);
+    // Tukey's biweight of the residual over the gate.
+    w = (1.0F - ((h - at_origin - slope_x * x - slope_y * y) / round.gate).square())
+            .max(0.0F)
+            .square();
+    if ((w > 0.0F).count() < kFewestCells) return std::nullopt;
+    const Eigen::Vector3d wxy(w.sum(), (w * x).sum(), (w * y).sum());
+    Eigen::Matrix3d a;
+    a.col(0) = wxy;
+    a.row(0) = wxy.transpose();
+    a(1, 1) = (w * x * x).sum();
+    a(1, 2) = a(2, 1) = (w * x * y).sum();
+    a(2, 2) = (w * y * y).sum();
+    const Eigen::Vector3d b((w * h).sum(), (w * x * h).sum(), (w * y * h).sum());
     const Eigen::Vector3d solution = a.ldlt().solve(b);
     if (!solution.allFinite()) return std::nullopt;
     plane = FloorSlope{solution[0], solution[1], solution[2]};

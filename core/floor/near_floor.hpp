@@ -22,8 +22,8 @@ class NearFloor {
  private:
   void gather(const std::vector<std::uint8_t>& is_floor, const FloorGrid& grid);
 
-  std::vector<Eigen::Vector3f> cells_;  // x, y, height [m]
-  float nearest_x_ = 0.0F;
+  Eigen::Index count_ = 0;                  // cells listed at the head of:
+  Eigen::ArrayXf x_, y_, height_, weight_;  // [m]; weight_ is scratch
 };
 
 }  // namespace pilothouse
