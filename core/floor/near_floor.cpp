@@ -15,10 +15,10 @@ struct Round {
 constexpr std::array<Round, 7> kRounds = {{{0.4F, 1e3F},
                                            {0.4F, 0.02F},
                                            {0.4F, 0.01F},
-                                           {0.6F, 0.008F},
-                                           {0.9F, 0.006F},
-                                           {1.2F, 0.006F},
-                                           {1.2F, 0.006F}}};
+                                           {0.6F, 0.006F},
+                                           {0.9F, 0.004F},
+                                           {1.2F, 0.004F},
+                                           {1.2F, 0.004F}}};
 constexpr Eigen::Index kFewestCells = 60;
 
 }  // namespace
@@ -54,6 +54,7 @@ std::optional<FloorSlope> NearFloor::fit(const std::vector<std::uint8_t>& is_flo
   gather(is_floor, grid);
   if (count_ < kFewestCells) return std::nullopt;
   const float nearest = x_[0];
+  std::optional<FloorSlope> found;
   FloorSlope plane;
   for (const Round& round : kRounds) {
     const auto* end = std::upper_bound(x_.data(), x_.data() + count_, nearest + round.reach);
@@ -67,7 +68,8 @@ std::optional<FloorSlope> NearFloor::fit(const std::vector<std::uint8_t>& is_flo
     w = (1.0F - ((h - at_origin - slope_x * x - slope_y * y) / round.gate).square())
             .max(0.0F)
             .square();
-    if ((w > 0.0F).count() < kFewestCells) return std::nullopt;
+    // A floor too rough for the narrow gates keeps what the wide ones found.
+    if ((w > 0.0F).count() < kFewestCells) break;
     const Eigen::Vector3d wxy(w.sum(), (w * x).sum(), (w * y).sum());
     Eigen::Matrix3d a;
     a.col(0) = wxy;
@@ -77,10 +79,11 @@ std::optional<FloorSlope> NearFloor::fit(const std::vector<std::uint8_t>& is_flo
     a(2, 2) = (w * y * y).sum();
     const Eigen::Vector3d b((w * h).sum(), (w * x * h).sum(), (w * y * h).sum());
     const Eigen::Vector3d solution = a.ldlt().solve(b);
-    if (!solution.allFinite()) return std::nullopt;
+    if (!solution.allFinite()) break;
     plane = FloorSlope{solution[0], solution[1], solution[2]};
+    found = plane;
   }
-  return plane;
+  return found;
 }
 
 }  // namespace pilothouse
