@@ -15,6 +15,8 @@ Situation situationOf(const ConsoleState& state, const std::string& robot, doubl
   situation.now = now;
   situation.link = state.link.get();
   situation.complaints = state.complaints.get();
+  const std::string fault = state.floor_settings.get().fault;
+  if (!fault.empty()) situation.complaints.push_back({"floor parameters", fault, false});
   situation.robot = robot;
   const auto advertised = state.advertised.get();
   const auto names = state.names.get();

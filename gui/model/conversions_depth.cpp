@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "core/cloud/cloud_view.hpp"
@@ -17,6 +18,27 @@ using Result = Converted<DepthPicture>;
 Intrinsics intrinsicsOf(const sensor_msgs::CameraInfo& info) {
   if (info.P[0] > 0.0) return {info.P[0], info.P[5], info.P[2], info.P[6]};
   return {info.K[0], info.K[4], info.K[2], info.K[5]};
+}
+
+// The pinhole that made an organised cloud, from the outermost points of its middle row; nothing
+// where these are too near each other to tell.
+std::optional<Intrinsics> intrinsicsOf(const CloudView& view) {
+  const std::uint32_t row = view.height() / 2;
+  std::optional<std::uint32_t> first, last;
+  for (std::uint32_t column = 0; column < view.width(); ++column) {
+    const Eigen::Vector3f p = view.point(row, column);
+    if (!p.allFinite() || !(p.z() > 0.0F)) continue;
+    if (!first) first = column;
+    last = column;
+  }
+  if (!first || *last - *first < view.width() / 4) return std::nullopt;
+  const auto slope = [&](std::uint32_t column) {
+    const Eigen::Vector3d p = view.point(row, column).cast<double>();
+    return p.x() / p.z();
+  };
+  const double focal = (*last - *first) / (slope(*last) - slope(*first));
+  if (!std::isfinite(focal) || !(focal > 0.0)) return std::nullopt;
+  return Intrinsics{focal, focal, *first - focal * slope(*first), view.height() * 0.5};
 }
 
 }  // namespace
@@ -71,6 +93,7 @@ Result DepthConverter::fromCloud(const sensor_msgs::PointCloud2& cloud) {
     }
   }
   picture->frame = cloud.header.frame_id;
+  picture->intrinsics = intrinsicsOf(*view);
   paint(*picture, static_cast<int>(width), static_cast<int>(view->height()));
   return Result::of(std::move(picture));
 }

@@ -17,7 +17,7 @@ struct DepthPicture {
   std::vector<float> metres;  ///< row by row; 0: no measurement
   DepthSpan span;             ///< metres at the two ends of the colours
   std::string frame;
-  std::optional<Intrinsics> intrinsics;  ///< absent for clouds and without camera_info
+  std::optional<Intrinsics> intrinsics;  ///< absent without camera_info; estimated from clouds
 
   /// Metres at a pixel; 0 outside and where nothing was measured.
   float at(int column, int row) const {

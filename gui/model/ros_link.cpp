@@ -3,44 +3,15 @@
 #include <ros/init.h>
 #include <ros/master.h>
 #include <ros/names.h>
-#include <ros/this_node.h>
 #include <ros/time.h>
 
 #include <chrono>
 
 #include "gui/model/clock.hpp"
+#include "gui/model/master.hpp"
 #include "gui/model/ros_streams.hpp"
 
 namespace pilothouse::gui {
-
-namespace {
-
-// What tells one master from the next: its process and the id of its run. Empty: no answer.
-std::string masterIdentity() {
-  XmlRpc::XmlRpcValue arguments, result, payload;
-  arguments[0] = ros::this_node::getName();
-  if (!ros::master::execute("getPid", arguments, result, payload, false)) return {};
-  std::string id = payload.getType() == XmlRpc::XmlRpcValue::TypeInt
-                       ? std::to_string(static_cast<int>(payload))
-                       : "master";
-  arguments[1] = std::string("/run_id");
-  if (ros::master::execute("getParam", arguments, result, payload, false) &&
-      payload.getType() == XmlRpc::XmlRpcValue::TypeString) {
-    id += static_cast<std::string>(payload);
-  }
-  return id;
-}
-
-std::string robotName() {
-  XmlRpc::XmlRpcValue arguments, result, payload;
-  arguments[0] = ros::this_node::getName();
-  arguments[1] = ros::names::resolve("robot/name");
-  const bool found = ros::master::execute("getParam", arguments, result, payload, false) &&
-                     payload.getType() == XmlRpc::XmlRpcValue::TypeString;
-  return found ? static_cast<std::string>(payload) : std::string();
-}
-
-}  // namespace
 
 RosLink::RosLink(std::vector<std::string> arguments, ConsoleState& state)
     : arguments_(std::move(arguments)), state_(state) {}
@@ -143,7 +114,7 @@ bool RosLink::connectedStep() {
   }
   setPhase(LinkPhase::kConnected, round_trip_ms);
   LinkStatus status = state_.link.get();
-  status.robot = robotName();
+  status.robot = masterText(ros::names::resolve("robot/name"));
   status.simulated_time = ros::Time::isSimTime();
   state_.link.set(status);
   streams_->review();

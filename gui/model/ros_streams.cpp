@@ -9,6 +9,7 @@
 
 #include "gui/model/clock.hpp"
 #include "gui/model/guarded_helper.hpp"
+#include "gui/model/master.hpp"
 
 namespace pilothouse::gui {
 
@@ -181,7 +182,9 @@ void RosStreams::lookAtTransforms() {
     }
     state_.missing_transform.set({});
   } catch (const tf2::TransformException&) {
-    state_.camera_pose.set(std::nullopt);
+    // A nodelet that searches the floor in each picture puts the camera above the origin.
+    const bool searched = masterText(node_.resolveName("floor/mounting_source")) == "search";
+    state_.camera_pose.set(searched ? std::make_optional(CameraPose{0.0, 0.0, 0.0}) : std::nullopt);
     state_.missing_transform.set(base + " to " + depth->frame);
   }
 }

@@ -10,6 +10,7 @@ namespace pilothouse::gui {
 namespace {
 
 constexpr int kButton = 22;
+constexpr int kFiguresWidth = 290;
 
 QString ageText(double age_s) {
   return age_s < 100.0 ? QString::number(age_s, 'f', 1) + " s"
@@ -74,6 +75,23 @@ QString HeaderStrip::figures() const {
       .arg(ageText(state_.age_s), countText(state_.drops));
 }
 
+void HeaderStrip::addControl(QWidget* control) {
+  control_ = control;
+  control_->setParent(this);
+  control_->setVisible(true);
+  placeControl();
+}
+
+void HeaderStrip::placeControl() {
+  if (!control_) return;
+  const QSize size = control_->sizeHint();
+  const int left =
+      theme::kSpace + 4 + QFontMetrics(theme::titleFont()).horizontalAdvance(title_) + 16;
+  control_->setGeometry(left, (height() - size.height()) / 2, size.width(), size.height());
+  // Where the strip is short, the figures matter more.
+  control_->setVisible(left + size.width() + kFiguresWidth <= width());
+}
+
 QSize HeaderStrip::sizeHint() const {
   return {320, theme::kStripHeight};
 }
@@ -85,6 +103,7 @@ void HeaderStrip::resizeEvent(QResizeEvent*) {
   const int top = (height() - kButton) / 2;
   close_->move(width() - kButton - 5, top);
   float_->move(width() - 2 * kButton - 5, top);
+  placeControl();
 }
 
 void HeaderStrip::paintEvent(QPaintEvent*) {
@@ -99,7 +118,10 @@ void HeaderStrip::paintEvent(QPaintEvent*) {
   // From the right: drops, age with its state, rate; each right-aligned in a column of its own.
   painter.setFont(theme::smallFont());
   const QFontMetrics metrics(theme::smallFont());
-  const int title_end = left + QFontMetrics(theme::titleFont()).horizontalAdvance(title_) + 12;
+  const int title_end =
+      control_ && !control_->isHidden()
+          ? control_->geometry().right() + 12
+          : left + QFontMetrics(theme::titleFont()).horizontalAdvance(title_) + 12;
   int right = width() - 2 * kButton - 14;
   const auto column = [&](const QString& text, const QString& widest, const QColor& colour) {
     const int wide = metrics.horizontalAdvance(widest);

@@ -16,6 +16,8 @@ class HeaderStrip : public QWidget {
  public:
   explicit HeaderStrip(const QString& title, QWidget* parent = nullptr);
   void show(const FeedState& state);
+  /// Places a control after the title; the strip owns it.
+  void addControl(QWidget* control);
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
   /// The figures in words, e.g. "5.0 Hz  age 0.1 s  0 dropped" (also for tests and tool tips).
@@ -34,6 +36,8 @@ class HeaderStrip : public QWidget {
   FeedState state_;
   QToolButton* close_;
   QToolButton* float_;
+  QWidget* control_ = nullptr;
+  void placeControl();
 };
 
 }  // namespace pilothouse::gui

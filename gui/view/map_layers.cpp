@@ -18,12 +18,12 @@ QString metresText(double metres, double step) {
   return QString::number(metres, 'f', step < 0.095 ? 2 : step < 0.95 ? 1 : 0);
 }
 
+}  // namespace
+
 void hatch(QPainter& painter, const QRectF& box) {
   painter.setPen(QPen(QColor(60, 20, 90, 200), 1));
   painter.drawLine(box.bottomLeft(), box.topRight());
 }
-
-}  // namespace
 
 QColor robotColour() {
   return {0xf4, 0xf7, 0xfa};
@@ -162,58 +162,6 @@ void paintScaleBar(QPainter& painter, const MapView& view, QPointF right_bottom)
                                   {box.left() + 10, y},
                                   {box.right() - 10, y},
                                   {box.right() - 10, y - 4}}));
-}
-
-QRectF paintLegend(QPainter& painter, QPointF left_bottom, double most_width) {
-  struct Item {
-    CellClass kind;
-    QString text;
-  };
-  const Item items[] = {{CellClass::kFloor, QObject::tr("floor")},
-                        {CellClass::kThreshold, QObject::tr("threshold")},
-                        {CellClass::kObstacle, QObject::tr("obstacle")},
-                        {CellClass::kDropOff, QObject::tr("drop-off")},
-                        {CellClass::kUnknown, QObject::tr("unknown")}};
-  const QFontMetricsF metrics(theme::smallFont());
-  constexpr double kRow = 20.0;
-  double wide = 0.0;
-  int rows = 1;
-  double line = 0.0;
-  for (const auto& item : items) {
-    const double cell = 12 + 6 + metrics.horizontalAdvance(item.text) + 14;
-    if (line + cell > most_width - 10 && line > 0.0) {
-      line = 0.0;
-      ++rows;
-    }
-    line += cell;
-    wide = std::max(wide, line);
-  }
-  const QRectF box(left_bottom.x(), left_bottom.y() - rows * kRow - 8, wide + 6, rows * kRow + 8);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(QColor(12, 14, 17, 215));
-  painter.drawRoundedRect(box, 5, 5);
-  painter.setFont(theme::smallFont());
-  double x = box.left() + 10;
-  double y = box.top() + 4;
-  for (const auto& item : items) {
-    const double cell = 12 + 6 + metrics.horizontalAdvance(item.text) + 14;
-    if (x + cell - 10 - box.left() > most_width - 10 + 1 && x > box.left() + 10) {
-      x = box.left() + 10;
-      y += kRow;
-    }
-    const QRectF swatch(x, y + 4, 12, 12);
-    painter.setRenderHint(QPainter::Antialiasing, false);
-    const bool unknown = item.kind == CellClass::kUnknown;
-    painter.setPen(unknown ? QPen(theme::kMuted, 1) : QPen(Qt::NoPen));
-    painter.setBrush(unknown ? QBrush(theme::kWindow) : QBrush(QColor(classColour(item.kind))));
-    painter.drawRect(swatch);
-    if (item.kind == CellClass::kDropOff) hatch(painter, swatch);
-    painter.setPen(theme::kText);
-    painter.drawText(QRectF(x + 18, y, cell, kRow), Qt::AlignLeft | Qt::AlignVCenter, item.text);
-    x += cell;
-  }
-  return box;
 }
 
 }  // namespace pilothouse::gui

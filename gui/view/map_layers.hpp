@@ -21,7 +21,9 @@ void paintFloor(QPainter& painter, const MapView& view, const FloorPicture& floo
 void paintObjects(QPainter& painter, const MapView& view, const ObjectsPicture& objects);
 void paintRobot(QPainter& painter, const MapView& view, const RobotDescription& robot);
 void paintScaleBar(QPainter& painter, const MapView& view, QPointF right_bottom);
-/// One row of swatches. @return the box.
-QRectF paintLegend(QPainter& painter, QPointF left_bottom, double most_width);
+/// The mark of a drop-off's cell, beside its colour.
+void hatch(QPainter& painter, const QRectF& box);
+/// Swatches in as many rows as needed, in map_legend.cpp.
+void paintLegend(QPainter& painter, QPointF left_bottom, double most_width);
 
 }  // namespace pilothouse::gui

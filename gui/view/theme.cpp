@@ -40,6 +40,13 @@ QMenu::indicator { width: 12px; height: 12px; left: 6px; }
 QToolTip { background: #242a32; color: #e8ecf1; border: 1px solid #3d4754; padding: 4px 6px; }
 QToolButton { background: transparent; color: #a0abb9; border: none; border-radius: 4px; padding: 2px 4px; }
 QToolButton:hover { background: #313944; color: #e8ecf1; }
+QToolButton[segment] { background: #1a1e24; color: #a0abb9; border: 1px solid #3d4754; padding: 1px 10px; border-radius: 0px; }
+QToolButton[segment]:hover { background: #313944; color: #e8ecf1; }
+QToolButton[segment]:checked { background: #2b5f8f; color: #ffffff; border-color: #3f7fb8; }
+QToolButton[segment]:disabled { color: #6f7a88; background: #1f242b; border-color: #2c333c; }
+QToolButton[segment="left"] { border-top-left-radius: 4px; border-bottom-left-radius: 4px; border-right: none; }
+QToolButton[segment="right"] { border-top-right-radius: 4px; border-bottom-right-radius: 4px; }
+QToolButton[segment="alone"] { border-radius: 4px; }
 QToolButton:focus, QPushButton:focus { border: 1px solid #5ab4ff; }
 QPushButton { background: #2b3440; color: #e8ecf1; border: 1px solid #3d4754; border-radius: 4px; padding: 5px 16px; }
 QPushButton:hover { background: #364252; }

@@ -2,6 +2,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "gui/view/floor_switch.hpp"
 #include "gui/view/header_strip.hpp"
 #include "gui/view/map_canvas.hpp"
 #include "gui/view/panel_registry.hpp"
@@ -16,7 +17,9 @@ class MapPanel : public Panel {
   explicit MapPanel(const PanelContext& panel_context)
       : Panel(panel_context),
         strip_(new HeaderStrip(tr("Map"))),
-        canvas_(new MapCanvas(panel_context.robot)) {
+        canvas_(new MapCanvas(panel_context.robot)),
+        switch_(new FloorSwitch(panel_context.ask_floor)) {
+    strip_->addControl(switch_);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(canvas_);
@@ -24,6 +27,9 @@ class MapPanel : public Panel {
     addAction(tr("Fit the map"), {Qt::Key_F}, [this] { canvas_->fit(); });
     addAction(tr("Zoom in"), {Qt::Key_Plus, Qt::Key_Equal}, [this] { canvas_->zoomIn(); });
     addAction(tr("Zoom out"), {Qt::Key_Minus}, [this] { canvas_->zoomOut(); });
+    addAction(tr("Switch the floor method"), {Qt::Key_M}, [this] { switch_->toggleMethod(); });
+    addAction(tr("Switch the camera's calibration"), {Qt::Key_C},
+              [this] { switch_->toggleCalibration(); });
     addAction(tr("Move the map left"), {Qt::Key_Left}, [this] { canvas_->pan({60, 0}); });
     addAction(tr("Move the map right"), {Qt::Key_Right}, [this] { canvas_->pan({-60, 0}); });
     addAction(tr("Move the map up"), {Qt::Key_Up}, [this] { canvas_->pan({0, 60}); });
@@ -36,6 +42,7 @@ class MapPanel : public Panel {
   }
 
   void refreshNumbers(double now) override {
+    switch_->show(context().state.floor_settings.get(), now);
     const FeedState state = context().state.floor.state(now);
     strip_->show(state);
     std::optional<double> half_angle;
@@ -65,6 +72,7 @@ class MapPanel : public Panel {
 
   HeaderStrip* strip_;
   MapCanvas* canvas_;
+  FloorSwitch* switch_;
   QVector<QAction*> actions_;
 };
 
