@@ -1,6 +1,7 @@
 /// Judges the floor methods on random scenes whose truth is known. docs/evaluation.md defines what
 /// is counted.
 
+#include <algorithm>
 #include <atomic>
 #include <cstdio>
 #include <iostream>
@@ -8,6 +9,7 @@
 
 #include "bench/eval_options.hpp"
 #include "bench/floor_bars.hpp"
+#include "bench/floor_figures.hpp"
 #include "bench/floor_trial.hpp"
 #include "bench/json_line.hpp"
 
@@ -37,6 +39,9 @@ constexpr Figure kFigures[] = {
     {"floor_drivable", &FloorScore::floor_drivable},
     {"false_on_empty", &FloorScore::false_on_empty},
     {"beyond_blocked", &FloorScore::beyond_blocked},
+    {"measured", &FloorScore::measured},
+    {"ramp_strict", &FloorScore::ramp_strict},
+    {"sill_strict", &FloorScore::sill_strict},
 };
 
 /// @param all also the figures that nothing was counted for, as null.
@@ -121,6 +126,35 @@ std::vector<FloorResult> judge(const std::vector<FloorTask>& tasks, const EvalOp
   return results;
 }
 
+/// Cells that the improved method has wrong.
+std::uint64_t faultsOf(const FloorScore& s) {
+  const auto rest = [](const Share& share) { return share.whole - share.part; };
+  return rest(s.iou) + rest(s.ramp_drivable) + rest(s.sill_drivable) + rest(s.floor_drivable) +
+         rest(s.beyond_blocked);
+}
+
+/// Draws the first run's scenes and the four that the improved method does worst.
+void drawFigures(const std::vector<FloorResult>& results, const EvalOptions& options) {
+  std::vector<const FloorResult*> worst;
+  for (const FloorResult& result : results) worst.push_back(&result);
+  std::stable_sort(worst.begin(), worst.end(), [](const FloorResult* a, const FloorResult* b) {
+    return faultsOf(a->improved) > faultsOf(b->improved);
+  });
+  const auto draw = [&](const FloorTask& task, const std::string& prefix) {
+    const std::string file = options.out + "/" + prefix + nameOf(task.kind) +
+                             (task.calibrating ? "_mount_error" : "") + ".png";
+    drawTrial(runTrial(task, options.seed, true), file);
+    std::cerr << "drew " << file << "\n";
+  };
+  for (const FloorResult& result : results) {
+    if (result.task.run == 0) draw(result.task, "");
+  }
+  for (std::size_t i = 0; i < std::min<std::size_t>(4, worst.size()); ++i) {
+    draw(worst[i]->task,
+         "worst_" + std::to_string(i + 1) + "_run" + std::to_string(worst[i]->task.run) + "_");
+  }
+}
+
 int run(const EvalOptions& options) {
   std::vector<FloorTask> tasks;
   for (const bool calibrating : {false, true}) {
@@ -149,6 +183,7 @@ int run(const EvalOptions& options) {
                "mounting found within 0.2 degrees and 5 mm: %.1f %%, worst %.3f degrees, %.2f mm\n",
                percentOf(totals[1].mountings_in_limits), totals[1].worst_angle_deg,
                totals[1].worst_height * 1000.0);
+  if (!options.out.empty()) drawFigures(results, options);
   summary.truth("pass", pass).whole("runs", options.runs);
   summary.whole("seed", static_cast<long long>(options.seed));
   for (const bool calibrating : {false, true}) {
@@ -163,5 +198,10 @@ int run(const EvalOptions& options) {
 
 int main(int argc, char** argv) {
   using namespace pilothouse::bench;
-  return run(readOptions(kCommand, argc, argv));
+  const EvalOptions options = readOptions(kCommand, argc, argv);
+  try {
+    return run(options);
+  } catch (const std::exception& fault) {
+    refuse(kCommand, fault.what());
+  }
 }

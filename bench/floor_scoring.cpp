@@ -29,15 +29,18 @@ CellTruth obstacleKind(const SurfaceCounts& counts) {
   return high >= other ? CellTruth::kBox18cm : CellTruth::kObstacle;
 }
 
-CellTruth truthOfPoints(const SurfaceCounts& counts, std::uint32_t truth_points) {
+CellTruth truthOfPoints(const SurfaceCounts& counts, std::uint32_t min_points) {
   const std::uint32_t obstacles = obstaclesIn(counts);
   const std::uint32_t lower = of(counts, sim::Surface::kLowerLevel);
-  if (allIn(counts) < truth_points) return CellTruth::kUnseen;
-  if (obstacles >= truth_points) return obstacleKind(counts);
-  if (lower >= truth_points) return CellTruth::kBeyond;
+  if (allIn(counts) < min_points) return CellTruth::kUnseen;
+  if (obstacles >= min_points) return obstacleKind(counts);
+  if (lower >= min_points) return CellTruth::kBeyond;
   if (obstacles + lower + of(counts, sim::Surface::kBetween) > 0) return CellTruth::kUndecided;
-  if (of(counts, sim::Surface::kSill) >= truth_points) return CellTruth::kSill;
-  if (of(counts, sim::Surface::kRamp) >= truth_points) return CellTruth::kRamp;
+  const std::uint32_t high = of(counts, sim::Surface::kRamp);
+  // Floor and high ramp in one cell: its side or back, a ledge that the camera looks across.
+  if (high > 0 && of(counts, sim::Surface::kFloor) > 0) return CellTruth::kUndecided;
+  if (of(counts, sim::Surface::kSill) >= min_points) return CellTruth::kSill;
+  if (high + of(counts, sim::Surface::kRampFoot) >= min_points) return CellTruth::kRamp;
   return CellTruth::kFloor;
 }
 
@@ -51,22 +54,6 @@ int cornersBeyond(const sim::DropEdge& edge, const GridGeometry& geometry, int i
     if (edge.normal.dot(p) > edge.offset) ++beyond;
   }
   return beyond;
-}
-
-/// True where the side of a ramp, too high to be driven over, runs through the cell or passes
-/// within half a cell of it.
-bool touchesHighSide(const std::vector<sim::Solid>& solids, const GridGeometry& g, int ix, int iy) {
-  const double reach = static_cast<double>(g.cell_size);
-  const Eigen::Vector3d centre(static_cast<double>(g.centreX(ix)),
-                               static_cast<double>(g.centreY(iy)), 0.0);
-  for (const sim::Solid& solid : solids) {
-    if (!(solid.slope > 0.0)) continue;
-    const Eigen::Vector3d p = solid.T_base_solid.inverse() * centre;
-    const double height = std::min(solid.top, solid.slope * (p.x() + reach));
-    const double to_side = std::abs(std::abs(p.y()) - solid.bounds.max().y());
-    if (height > sim::kDrivableStep && to_side <= reach) return true;
-  }
-  return false;
 }
 
 bool isBlocked(CellClass c) {
@@ -108,28 +95,22 @@ void countSurfaces(const std::vector<float>& depths, const std::vector<sim::Surf
 }
 
 std::vector<CellTruth> truthOf(const std::vector<SurfaceCounts>& counts, const CellRule& rule,
-                               const sim::FloorScene& scene) {
+                               const std::optional<sim::DropEdge>& edge) {
   const GridGeometry& g = rule.geometry;
   std::vector<CellTruth> truth(counts.size());
   for (int iy = 0; iy < g.size_y; ++iy) {
     for (int ix = 0; ix < g.size_x; ++ix) {
       const std::size_t i = g.index(ix, iy);
-      truth[i] = truthOfPoints(counts[i], rule.truth_points);
-      const int beyond = scene.edge ? cornersBeyond(*scene.edge, g, ix, iy) : 0;
+      truth[i] = truthOfPoints(counts[i], rule.min_points);
+      const int beyond = edge ? cornersBeyond(*edge, g, ix, iy) : 0;
       if (beyond == 4) {
         truth[i] = CellTruth::kBeyond;
-      } else if (isDrivable(truth[i]) && (beyond > 0 || touchesHighSide(scene.solids, g, ix, iy))) {
+      } else if (beyond > 0 && isDrivable(truth[i])) {
         truth[i] = CellTruth::kUndecided;
       }
     }
   }
   return truth;
-}
-
-void leaveOutUnmeasured(const std::vector<CellClass>& ceiling, std::vector<CellTruth>& truth) {
-  for (std::size_t i = 0; i < truth.size(); ++i) {
-    if (ceiling[i] == CellClass::kUnknown && isDrivable(truth[i])) truth[i] = CellTruth::kUnseen;
-  }
 }
 
 std::vector<CellClass> ceilingOf(const std::vector<SurfaceCounts>& counts, const CellRule& rule) {
@@ -158,10 +139,20 @@ void FloorScore::add(const FloorScore& other) {
   floor_drivable.add(other.floor_drivable);
   false_on_empty.add(other.false_on_empty);
   beyond_blocked.add(other.beyond_blocked);
+  measured.add(other.measured);
+  ramp_strict.add(other.ramp_strict);
+  sill_strict.add(other.sill_strict);
 }
 
-FloorScore score(const std::vector<CellTruth>& truth, const std::vector<CellClass>& classes,
-                 const GridGeometry& geometry, bool is_empty, const ScoredRange& range) {
+std::vector<bool> measuredIn(const std::vector<SurfaceCounts>& counts, const CellRule& rule) {
+  std::vector<bool> measured(counts.size());
+  for (std::size_t i = 0; i < counts.size(); ++i) measured[i] = allIn(counts[i]) >= rule.min_points;
+  return measured;
+}
+
+FloorScore score(const SceneTruth& scene, const std::vector<CellClass>& classes,
+                 const GridGeometry& geometry, const ScoredRange& range) {
+  const std::vector<CellTruth>& truth = scene.cells;
   FloorScore s;
   for (int iy = 0; iy < geometry.size_y; ++iy) {
     for (int ix = 0; ix < geometry.size_x; ++ix) {
@@ -175,6 +166,11 @@ FloorScore score(const std::vector<CellTruth>& truth, const std::vector<CellClas
         s.beyond_blocked.count(!isDrivable(c));
         continue;
       }
+      const bool measured = scene.measured[geometry.index(ix, iy)];
+      s.measured.count(measured);
+      if (t == CellTruth::kRamp) s.ramp_strict.count(isDrivable(c));
+      if (t == CellTruth::kSill) s.sill_strict.count(isDrivable(c));
+      if (!measured && isDrivable(t) && c == CellClass::kUnknown) continue;
       const bool found = c == CellClass::kObstacle;
       if (isObstacle(t)) s.recall.count(found);
       // A drop-off where there is floor is as false as an obstacle there.
@@ -184,7 +180,7 @@ FloorScore score(const std::vector<CellTruth>& truth, const std::vector<CellClas
       if (t == CellTruth::kRamp) s.ramp_drivable.count(isDrivable(c));
       if (t == CellTruth::kSill) s.sill_drivable.count(isDrivable(c));
       if (t == CellTruth::kFloor) s.floor_drivable.count(isDrivable(c));
-      if (t == CellTruth::kFloor && is_empty) s.false_on_empty.count(isBlocked(c));
+      if (t == CellTruth::kFloor && scene.is_empty) s.false_on_empty.count(isBlocked(c));
     }
   }
   return s;

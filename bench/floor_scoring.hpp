@@ -39,9 +39,6 @@ struct CellRule {
   GridGeometry geometry;
   double clear_height = 1.6;     ///< points above are ignored [m]
   std::uint32_t min_points = 3;  ///< of a sort that counts: the segmenter's own limit
-  /// What the truth asks for: noise moves points to the next cell and drops some, so a cell that a
-  /// perfect camera sees with the segmenter's limit of points alone is often not seen at all.
-  std::uint32_t truth_points = 6;
 };
 
 /// Sorts labelled points into cells. @param depths along the optical axis [m], 0: none.
@@ -50,14 +47,10 @@ void countSurfaces(const std::vector<float>& depths, const std::vector<sim::Surf
                    const CellRule& rule, std::vector<SurfaceCounts>& counts);
 
 std::vector<CellTruth> truthOf(const std::vector<SurfaceCounts>& counts, const CellRule& rule,
-                               const sim::FloorScene& scene);
+                               const std::optional<sim::DropEdge>& edge);
 
 /// The class that someone gives each cell who knows what every noisy point is.
 std::vector<CellClass> ceilingOf(const std::vector<SurfaceCounts>& counts, const CellRule& rule);
-
-/// Takes drivable cells out of the truth that the noisy picture does not show: whether a shown cell
-/// is called drivable is scored, not whether noise leaves it enough points. Obstacles stay in.
-void leaveOutUnmeasured(const std::vector<CellClass>& ceiling, std::vector<CellTruth>& truth);
 
 struct Share {
   std::uint64_t part = 0;
@@ -86,6 +79,10 @@ struct FloorScore {
   Share floor_drivable;
   Share false_on_empty;  ///< of floor cells of scenes with nothing in them
   Share beyond_blocked;  ///< of cells past a step down: not drivable
+  // Told beside, no bar of their own.
+  Share measured;     ///< of scored cells short of a step down: enough noisy points, too
+  Share ramp_strict;  ///< as ramp_drivable, cells that the noisy camera did not measure included
+  Share sill_strict;
   void add(const FloorScore& other);
 };
 
@@ -95,8 +92,15 @@ struct ScoredRange {
   double x_max_7cm = 2.5;
 };
 
-/// @param is_empty the scene has nothing but floor.
-FloorScore score(const std::vector<CellTruth>& truth, const std::vector<CellClass>& classes,
-                 const GridGeometry& geometry, bool is_empty, const ScoredRange& range = {});
+/// What a scene is in cells, and which cells the noisy view has enough points of.
+struct SceneTruth {
+  std::vector<CellTruth> cells;
+  std::vector<bool> measured;
+  bool is_empty = false;  ///< nothing but floor
+};
+std::vector<bool> measuredIn(const std::vector<SurfaceCounts>& counts, const CellRule& rule);
+
+FloorScore score(const SceneTruth& scene, const std::vector<CellClass>& classes,
+                 const GridGeometry& geometry, const ScoredRange& range = {});
 
 }  // namespace pilothouse::bench

@@ -137,21 +137,19 @@ FloorResult runTrial(const FloorTask& task, std::uint64_t seed, bool keep_pictur
   rule.geometry = improved_grid.geometry;
   rule.clear_height = parameters.clear_height;
   rule.min_points = static_cast<std::uint32_t>(parameters.min_points);
-  rule.truth_points = 2 * rule.min_points;
   // A method that is not told of the mount error is judged in the frame that it is given; one that
   // corrects it, in the true frame.
   const Eigen::Isometry3d T_judged =
       task.calibrating ? truth_mounting.T_base_optical() : kConfigured.T_base_optical();
   std::vector<SurfaceCounts> counts;
   countSurfaces(perfect.depths, perfect.surfaces, camera, T_judged, rule, counts);
-  std::vector<CellTruth> truth = truthOf(counts, rule, scene);
+  SceneTruth truth{truthOf(counts, rule, scene.edge), {}, task.kind == sim::SceneKind::kEmpty};
   countSurfaces(metresOf(image), perfect.surfaces, camera, T_judged, rule, counts);
-  const bool is_empty = task.kind == sim::SceneKind::kEmpty;
-  const std::vector<CellClass> ceiling = ceilingOf(counts, rule);
-  leaveOutUnmeasured(ceiling, truth);
-  result.ceiling = score(truth, ceiling, rule.geometry, is_empty);
-  result.original = score(truth, original_grid.classes, rule.geometry, is_empty);
-  result.improved = score(truth, improved_grid.classes, rule.geometry, is_empty);
+  truth.measured = measuredIn(counts, rule);
+  const std::vector<CellClass> ceiling_classes = ceilingOf(counts, rule);
+  result.ceiling = score(truth, ceiling_classes, rule.geometry);
+  result.original = score(truth, original_grid.classes, rule.geometry);
+  result.improved = score(truth, improved_grid.classes, rule.geometry);
   if (task.calibrating) {
     result.mounting = faultOf(improved, truth_mounting, 0);
   } else {
@@ -161,7 +159,10 @@ FloorResult runTrial(const FloorTask& task, std::uint64_t seed, bool keep_pictur
   }
   if (keep_pictures) {
     result.image = image;
-    result.truth = truth;
+    result.image_width = camera.width;
+    result.image_height = camera.height;
+    result.ceiling_classes = ceiling_classes;
+    result.truth = truth.cells;
     result.original_classes = original_grid.classes;
     result.improved_classes = improved_grid.classes;
   }

@@ -31,9 +31,10 @@ struct FloorResult {
   std::optional<MountingFault> mounting;  ///< calibrating and found
   Share doors_agree;  ///< cells that the improved method calls the same from depth and from cloud
   // For the pictures, kept on demand.
-  std::vector<std::uint16_t> image;
+  std::vector<std::uint16_t> image;  ///< [mm]
+  std::uint32_t image_width = 0, image_height = 0;
   std::vector<CellTruth> truth;
-  std::vector<CellClass> original_classes, improved_classes;
+  std::vector<CellClass> ceiling_classes, original_classes, improved_classes;
   GridGeometry geometry;
 };
 

@@ -48,10 +48,13 @@ PixelBox pixelsOf(const Solid& solid, const CameraModel& camera,
 }
 
 Surface surfaceAt(const Solid& solid, const Solid::Face& face, const Eigen::Vector3d& p_base) {
+  if (face.surface == Surface::kRamp) {
+    return p_base.z() > kDrivableStep ? Surface::kRamp : Surface::kRampFoot;
+  }
   if (!face.by_height) return face.surface;
   const double x = (solid.T_base_solid.inverse() * p_base).x();
   const double step = std::min(solid.top, solid.slope * x);
-  if (step <= kDrivableStep) return Surface::kRamp;
+  if (step <= kDrivableStep) return Surface::kRampFoot;
   return step < kObstacleStep ? Surface::kBetween : Surface::kObstacle;
 }
 

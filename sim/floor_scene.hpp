@@ -13,7 +13,8 @@ namespace pilothouse::sim {
 enum class Surface : std::uint8_t {
   kNothing = 0,
   kFloor,
-  kRamp,  ///< slope, its level top, and sides too low to matter (kDrivableStep)
+  kRamp,      ///< slope above kDrivableStep, and its level top
+  kRampFoot,  ///< slope, and sides of a ramp, up to kDrivableStep above the floor
   kSill,
   kBox7cm,
   kBox18cm,
@@ -21,7 +22,7 @@ enum class Surface : std::uint8_t {
   kBetween,     ///< side of a ramp between kDrivableStep and kObstacleStep: nobody says which it is
   kLowerLevel,  ///< floor beyond a step down
 };
-constexpr std::size_t kSurfaces = 9;
+constexpr std::size_t kSurfaces = 10;
 constexpr double kDrivableStep = 0.02;  ///< a step up to this is drivable [m]
 constexpr double kObstacleStep = 0.05;  ///< a step from this on is an obstacle [m]
 
@@ -29,7 +30,8 @@ inline bool isObstacle(Surface s) {
   return s == Surface::kBox7cm || s == Surface::kBox18cm || s == Surface::kObstacle;
 }
 inline bool isDrivable(Surface s) {
-  return s == Surface::kFloor || s == Surface::kRamp || s == Surface::kSill;
+  return s == Surface::kFloor || s == Surface::kRamp || s == Surface::kRampFoot ||
+         s == Surface::kSill;
 }
 
 /// A convex solid: the points with normal . p <= offset for every face.

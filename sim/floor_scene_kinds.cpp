@@ -62,10 +62,11 @@ class Builder {
 
   void addFloor() { scene_.solids.push_back(makeGround(0.0, Surface::kFloor)); }
 
-  void addBoxes(int most, double lowest, double highest, Surface surface) {
+  /// @param widest longest side on the ground [m]
+  void addBoxes(int most, double lowest, double highest, double widest, Surface surface) {
     const int wanted = random_.integer(1, most);
     for (int i = 0; i < wanted; ++i) {
-      const Eigen::Vector3d size(random_.uniform(0.1, 0.5), random_.uniform(0.1, 0.5),
+      const Eigen::Vector3d size(random_.uniform(0.07, widest), random_.uniform(0.07, widest),
                                  random_.uniform(lowest, highest));
       place(size, [&](const Eigen::Isometry3d& T) { return makeBox(T, size, surface); });
     }
@@ -188,13 +189,13 @@ FloorScene randomScene(SceneKind kind, std::uint64_t seed) {
     case SceneKind::kEmpty:
       break;
     case SceneKind::kBoxes7cm:
-      build.addBoxes(6, 0.07, 0.07, Surface::kBox7cm);
+      build.addBoxes(6, 0.07, 0.07, 0.3, Surface::kBox7cm);
       break;
     case SceneKind::kBoxes18cm:
-      build.addBoxes(6, 0.18, 0.18, Surface::kBox18cm);
+      build.addBoxes(6, 0.18, 0.18, 0.4, Surface::kBox18cm);
       break;
     case SceneKind::kBoxes:
-      build.addBoxes(6, 0.05, 0.60, Surface::kObstacle);
+      build.addBoxes(6, 0.05, 0.60, 0.5, Surface::kObstacle);
       break;
     case SceneKind::kRamp: {
       const double angle = random.uniform(3.0, 10.0) * kDegree;
@@ -210,9 +211,9 @@ FloorScene randomScene(SceneKind kind, std::uint64_t seed) {
     case SceneKind::kMixed:
       build.addRamp(random.uniform(3.0, 10.0) * kDegree, random.uniform(0.8, 1.2));
       build.addSills(1);
-      build.addBoxes(1, 0.07, 0.07, Surface::kBox7cm);
-      build.addBoxes(1, 0.18, 0.18, Surface::kBox18cm);
-      build.addBoxes(1, 0.05, 0.60, Surface::kObstacle);
+      build.addBoxes(1, 0.07, 0.07, 0.3, Surface::kBox7cm);
+      build.addBoxes(1, 0.18, 0.18, 0.4, Surface::kBox18cm);
+      build.addBoxes(1, 0.05, 0.60, 0.5, Surface::kObstacle);
       break;
     case SceneKind::kDropOff:
       build.addDropOff();
