@@ -4,8 +4,11 @@
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QMenuBar>
+#include <QPushButton>
+#include <QScrollArea>
 #include <QVBoxLayout>
 
 #include "gui/view/theme.hpp"
@@ -37,6 +40,22 @@ void addRow(QGridLayout* grid, const QString& what, const QString& keys) {
   grid->addWidget(keyLabel(keys), row, 1, Qt::AlignRight);
 }
 
+QGridLayout* column() {
+  auto* grid = new QGridLayout;
+  grid->setHorizontalSpacing(40);
+  grid->setVerticalSpacing(4);
+  return grid;
+}
+
+void addMenu(QGridLayout* grid, const QAction& top) {
+  grid->addWidget(heading(top.text().remove('&')), grid->rowCount(), 0);
+  for (const auto* action : top.menu()->actions()) {
+    QStringList keys;
+    for (const auto& key : action->shortcuts()) keys << key.toString(QKeySequence::NativeText);
+    if (!keys.isEmpty()) addRow(grid, action->text().remove('&'), keys.join(QObject::tr("  or  ")));
+  }
+}
+
 QDialog* sheet(QMainWindow& window, const QString& title) {
   auto* dialog = new QDialog(&window);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -46,6 +65,7 @@ QDialog* sheet(QMainWindow& window, const QString& title) {
 
 void finish(QDialog* dialog, QVBoxLayout* layout) {
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+  buttons->button(QDialogButtonBox::Close)->setIcon(QIcon());
   QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
   layout->addSpacing(theme::kSpace);
   layout->addWidget(buttons);
@@ -59,24 +79,35 @@ void showShortcuts(QMainWindow& window) {
   dialog->setObjectName("shortcuts");
   auto* layout = new QVBoxLayout(dialog);
   layout->setContentsMargins(24, 12, 24, 16);
-  auto* grid = new QGridLayout;
-  grid->setHorizontalSpacing(48);
-  grid->setVerticalSpacing(4);
-  for (const auto* top : window.menuBar()->actions()) {
-    if (!top->menu()) continue;
-    grid->addWidget(heading(top->text().remove('&')), grid->rowCount(), 0);
-    for (const auto* action : top->menu()->actions()) {
-      QStringList keys;
-      for (const auto& key : action->shortcuts()) keys << key.toString(QKeySequence::NativeText);
-      if (!keys.isEmpty())
-        addRow(grid, action->text().remove('&'), keys.join(QObject::tr("  or  ")));
-    }
+  // The window's own menus at the left, those of the panels at the right.
+  auto* own = column();
+  auto* panels = column();
+  const auto menus = window.menuBar()->actions();
+  for (int i = 0; i < menus.size(); ++i) {
+    const bool first_or_last = i < 2 || i + 1 == menus.size();
+    if (menus[i]->menu()) addMenu(first_or_last ? own : panels, *menus[i]);
   }
-  grid->addWidget(heading(QObject::tr("Mouse on the map")), grid->rowCount(), 0);
-  addRow(grid, QObject::tr("Zoom about the cursor"), QObject::tr("wheel"));
-  addRow(grid, QObject::tr("Move the map"), QObject::tr("drag"));
-  addRow(grid, QObject::tr("Fit the map"), QObject::tr("double click"));
-  layout->addLayout(grid);
+  panels->addWidget(heading(QObject::tr("Mouse on the map")), panels->rowCount(), 0);
+  addRow(panels, QObject::tr("Zoom about the cursor"), QObject::tr("wheel"));
+  addRow(panels, QObject::tr("Move the map"), QObject::tr("drag"));
+  addRow(panels, QObject::tr("Fit the map"), QObject::tr("double click"));
+  own->setRowStretch(own->rowCount(), 1);
+  panels->setRowStretch(panels->rowCount(), 1);
+
+  auto* content = new QWidget;
+  auto* columns = new QHBoxLayout(content);
+  columns->setContentsMargins(0, 0, 0, 0);
+  columns->setSpacing(56);
+  columns->addLayout(own);
+  columns->addLayout(panels);
+  // Scrolls where the screen is small, e.g. 1280x720 at 200 %.
+  auto* scroll = new QScrollArea;
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setWidgetResizable(true);
+  scroll->setWidget(content);
+  const QSize wanted = content->sizeHint() + QSize(16, 4);
+  scroll->setMinimumSize(wanted.boundedTo(window.size() - QSize(60, 120)));
+  layout->addWidget(scroll);
   finish(dialog, layout);
 }
 

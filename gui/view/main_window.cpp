@@ -3,7 +3,9 @@
 #include <QAction>
 #include <QCloseEvent>
 #include <QDockWidget>
+#include <QGuiApplication>
 #include <QMenuBar>
+#include <QScreen>
 #include <QSettings>
 #include <QStatusBar>
 #include <QTimer>
@@ -31,7 +33,7 @@ MainWindow::MainWindow(const PanelContext& context, bool remember)
       numbers_(new QTimer(this)) {
   setWindowTitle(tr("Pilothouse - %1").arg(QString::fromStdString(context.robot.title)));
   setDockOptions(AllowNestedDocks | AllowTabbedDocks | AnimatedDocks);
-  resize(1280, 720);
+  resize(QSize(1280, 720).boundedTo(QGuiApplication::primaryScreen()->availableSize()));
   for (const auto& entry : panelRegistry()) addPanel(entry);
   auto* bar = new QStatusBar;
   bar->setSizeGripEnabled(false);
@@ -121,18 +123,19 @@ void MainWindow::buildMenus() {
     toggle->setShortcut(QKeySequence(QString("Ctrl+%1").arg(number++)));
     view->addAction(toggle);
   }
-  for (const auto& shown : panels_) {
-    if (!shown.panel) continue;
-    const auto actions = shown.panel->viewActions();
-    if (!actions.isEmpty()) view->addSeparator();
-    for (auto* action : actions) view->addAction(action);
-  }
   view->addSeparator();
   auto* whole = view->addAction(tr("Full screen"), this,
                                 [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
   whole->setShortcut(QKeySequence("F11"));
   auto* reset = view->addAction(tr("Reset the layout"), this, &MainWindow::resetLayout);
   reset->setShortcut(QKeySequence("Ctrl+0"));
+
+  for (const auto& shown : panels_) {
+    const auto actions = shown.panel ? shown.panel->menuActions() : QVector<QAction*>();
+    if (actions.isEmpty()) continue;
+    auto* own = menuBar()->addMenu(shown.entry.title);
+    for (auto* action : actions) own->addAction(action);
+  }
 
   auto* help = menuBar()->addMenu(tr("&Help"));
   auto* keys = help->addAction(tr("Keyboard shortcuts"), this, [this] { showShortcuts(*this); });

@@ -36,8 +36,8 @@ class Panel : public QWidget {
   virtual bool complete() const = 0;
   /// Shown in the dock's title bar; owned by the panel's caller once taken. Null: a plain title.
   virtual QWidget* titleStrip() { return nullptr; }
-  /// Extra entries for the View menu, with their keys.
-  virtual QVector<QAction*> viewActions() { return {}; }
+  /// Entries of a menu of its own, with their keys; none: no menu.
+  virtual QVector<QAction*> menuActions() { return {}; }
 
  protected:
   const PanelContext& context() const { return context_; }

@@ -28,7 +28,13 @@ QString capitalised(QString text) {
   return text;
 }
 
+const QString kBetween = QStringLiteral("   \u00b7   ");
+
 }  // namespace
+
+QString StatusLine::sentence() const {
+  return sentences_.join(kBetween);
+}
 
 StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
   setFixedHeight(theme::kStripHeight);
@@ -47,13 +53,9 @@ void StatusLine::show(const Situation& situation) {
   for (const auto& notice : all) {
     const QString text = QString::fromStdString(notice.text);
     tip += "<p>" + capitalised(text).toHtmlEscaped() + "</p>";
-    sentences << text;
+    sentences << (sentences.isEmpty() ? capitalised(text) : text);
   }
-  // As many as one line can hold; the rest is counted and stands in the tool tip.
-  const QString first = capitalised(sentences.takeFirst());
-  sentence_ = first;
-  for (const auto& text : sentences) sentence_ += "  ·  " + text;
-  more_ = sentences.isEmpty() ? QString() : first + tr("  ·  and %1 more").arg(sentences.size());
+  sentences_ = sentences;
   robot_ = QString::fromStdString(situation.robot);
   clock_ = situation.link.simulated_time ? tr("simulated time") : tr("wall clock");
   linked_ = situation.link.phase == LinkPhase::kConnected;
@@ -63,8 +65,20 @@ void StatusLine::show(const Situation& situation) {
               ? tr("%1  %2 ms").arg(uri).arg(std::max(0.1, situation.link.round_trip_ms), 0, 'f', 1)
               : tr("not connected");
   setToolTip(tip);
-  setAccessibleName(sentence_);
+  setAccessibleName(sentence());
   update();
+}
+
+QString StatusLine::fitted(const QFontMetrics& metrics, int width) const {
+  // As many as the line can hold; the rest is counted and stands in the tool tip.
+  for (int shown = sentences_.size(); shown > 0; --shown) {
+    QString text = sentences_.mid(0, shown).join(kBetween);
+    const int hidden = sentences_.size() - shown;
+    if (hidden > 0) text += kBetween + tr("and %1 more").arg(hidden);
+    if (metrics.horizontalAdvance(text) <= width) return text;
+    if (shown == 1) return metrics.elidedText(text, Qt::ElideRight, width);
+  }
+  return {};
 }
 
 void StatusLine::paintEvent(QPaintEvent*) {
@@ -104,10 +118,8 @@ void StatusLine::paintEvent(QPaintEvent*) {
   painter.setFont(theme::textFont());
   const QFontMetrics metrics(theme::textFont());
   const QRect room(static_cast<int>(left) + 18, 0, right - static_cast<int>(left) - 20, height());
-  const bool fits = more_.isEmpty() || metrics.horizontalAdvance(sentence_) <= room.width();
   painter.setPen(severity_ == Severity::kGood ? theme::kText : colour);
-  painter.drawText(room, Qt::AlignVCenter | Qt::AlignLeft,
-                   metrics.elidedText(fits ? sentence_ : more_, Qt::ElideRight, room.width()));
+  painter.drawText(room, Qt::AlignVCenter | Qt::AlignLeft, fitted(metrics, room.width()));
 }
 
 }  // namespace pilothouse::gui

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <QFontMetrics>
+#include <QStringList>
 #include <QWidget>
 
 #include "gui/model/situation.hpp"
@@ -15,14 +17,16 @@ class StatusLine : public QWidget {
   explicit StatusLine(QWidget* parent = nullptr);
   void show(const Situation& situation);
   /// The sentences as shown.
-  QString sentence() const { return sentence_; }
+  QString sentence() const;
   QSize sizeHint() const override;
 
  protected:
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  QString sentence_, more_;
+  QString fitted(const QFontMetrics& metrics, int width) const;
+
+  QStringList sentences_;  ///< the worst first
   Severity severity_ = Severity::kNote;
   QString robot_, clock_, link_;
   bool linked_ = false;

@@ -52,6 +52,10 @@ QPushButton { background: #2b3440; color: #e8ecf1; border: 1px solid #3d4754; bo
 QPushButton:hover { background: #364252; }
 QStatusBar { background: #242a32; border: none; min-height: 32px; }
 QStatusBar::item { border: none; }
+QScrollArea, QScrollArea > QWidget > QWidget { background: transparent; }
+QScrollBar:vertical { background: transparent; width: 10px; margin: 0; }
+QScrollBar::handle:vertical { background: #3d4754; border-radius: 4px; min-height: 24px; }
+QScrollBar::add-line, QScrollBar::sub-line { height: 0; }
 QTabBar::tab { background: #1a1e24; color: #a0abb9; padding: 5px 14px; border: none; }
 QTabBar::tab:selected { background: #242a32; color: #e8ecf1; }
 )";

@@ -27,13 +27,13 @@ class MapPanel : public Panel {
     addAction(tr("Fit the map"), {Qt::Key_F}, [this] { canvas_->fit(); });
     addAction(tr("Zoom in"), {Qt::Key_Plus, Qt::Key_Equal}, [this] { canvas_->zoomIn(); });
     addAction(tr("Zoom out"), {Qt::Key_Minus}, [this] { canvas_->zoomOut(); });
-    addAction(tr("Switch the floor method"), {Qt::Key_M}, [this] { switch_->toggleMethod(); });
-    addAction(tr("Switch the camera's calibration"), {Qt::Key_C},
-              [this] { switch_->toggleCalibration(); });
     addAction(tr("Move the map left"), {Qt::Key_Left}, [this] { canvas_->pan({60, 0}); });
     addAction(tr("Move the map right"), {Qt::Key_Right}, [this] { canvas_->pan({-60, 0}); });
     addAction(tr("Move the map up"), {Qt::Key_Up}, [this] { canvas_->pan({0, 60}); });
     addAction(tr("Move the map down"), {Qt::Key_Down}, [this] { canvas_->pan({0, -60}); });
+    addAction(tr("Improved or original method"), {Qt::Key_M}, [this] { switch_->toggleMethod(); });
+    addAction(tr("Calibrate the camera's mounting"), {Qt::Key_C},
+              [this] { switch_->toggleCalibration(); });
   }
 
   void refreshPicture(double) override {
@@ -59,7 +59,7 @@ class MapPanel : public Panel {
 
   bool complete() const override { return canvas_->hasFloor(); }
   QWidget* titleStrip() override { return strip_; }
-  QVector<QAction*> viewActions() override { return actions_; }
+  QVector<QAction*> menuActions() override { return actions_; }
 
  private:
   template <class Slot>
