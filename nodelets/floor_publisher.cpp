@@ -94,6 +94,7 @@ template <class View>
 Checked<Eigen::Isometry3f> FloorPublisher::mountingOf(const std_msgs::Header& header,
                                                       const View& view) {
   if (parameters_.mounting_source == "tf") return mounting_.find(header);
+  segmenter_.reset();  // each picture stands alone: there is no mounting to compare or to average
   const Checked<FloorPlane> plane = findFloorPlane(view);
   if (!plane) return Checked<Eigen::Isometry3f>::refused(plane.reason());
   const Eigen::Isometry3f T_base_camera = mountingFromPlane(*plane);
@@ -127,8 +128,11 @@ void FloorPublisher::reportMounting(diagnostic_updater::DiagnosticStatusWrapper&
   std::lock_guard<std::mutex> lock(mutex_);
   status.add("source", parameters_.mounting_source);
   status.add("transforms out of time", mounting_.outOfTime());
-  pilothouse::reportMounting(segmenter_.mounting(), segmenter_.parameters().calibrate_mounting,
-                             status);
+  if (parameters_.mounting_source == "tf") {
+    reportEstimate(segmenter_.mounting(), segmenter_.parameters().calibrate_mounting, status);
+  } else {
+    reportFound(segmenter_.mountingUsed(), status);
+  }
 }
 
 }  // namespace pilothouse

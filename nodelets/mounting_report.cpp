@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/floor/plane_search.hpp"
+
 namespace pilothouse {
 namespace {
 
@@ -13,7 +15,7 @@ double degrees(double radians) {
 
 }  // namespace
 
-void reportMounting(const MountingEstimate& estimate, bool used,
+void reportEstimate(const MountingEstimate& estimate, bool used,
                     diagnostic_updater::DiagnosticStatusWrapper& status) {
   const double pitch_error = degrees(estimate.pitch_error);
   const double roll_error = degrees(estimate.roll_error);
@@ -40,6 +42,19 @@ void reportMounting(const MountingEstimate& estimate, bool used,
                   "the camera is not mounted as configured: %+.1f cm higher, pitch %+.1f deg, "
                   "roll %+.1f deg",
                   estimate.height_error * 100.0, pitch_error, roll_error);
+}
+
+void reportFound(const Eigen::Isometry3f& T_base_optical,
+                 diagnostic_updater::DiagnosticStatusWrapper& status) {
+  if (T_base_optical.isApprox(Eigen::Isometry3f::Identity())) {
+    status.summary(DiagnosticStatus::OK, "not found: no picture yet");
+    return;
+  }
+  const Eigen::Vector3d up = T_base_optical.linear().row(2).transpose().cast<double>();
+  status.summary(DiagnosticStatus::OK, "found in the picture itself");
+  status.add("height [m]", T_base_optical.translation().z());
+  status.add("pitch [deg]", degrees(pitchOf(up)));
+  status.add("roll [deg]", degrees(rollOf(up)));
 }
 
 }  // namespace pilothouse
