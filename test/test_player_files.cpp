@@ -8,6 +8,7 @@
 #include <fstream>
 #include <functional>
 #include <opencv2/imgcodecs.hpp>
+#include <random>
 #include <string>
 
 #include "nodelets/depth_folder.hpp"
@@ -93,6 +94,29 @@ TEST_F(PlayerFiles, RefusesDamagedCompressedData) {
   const std::string sizes("\x04\0\0\0\x18\0\0\0", 8);
   EXPECT_EQ(pcdReason(write("a.pcd", pcd("binary_compressed", sizes + "\xFF\xFF\xFF\xFF"))),
             "PCD data is damaged, expected points");
+}
+
+TEST_F(PlayerFiles, ReadsOrRefusesEveryMutationOfACloud) {
+  // 24 zero bytes as one run of literals.
+  const std::string lzf = std::string("\x19\0\0\0\x18\0\0\0\x17", 9) + std::string(24, '\0');
+  const std::string files[] = {pcd("ascii", "1 2 3\n4 5 nan\n"),
+                               pcd("binary", std::string(24, 'a')), pcd("binary_compressed", lzf)};
+  std::mt19937 random(1);
+  std::size_t read = 0, refused = 0;
+  for (int i = 0; i < 3000; ++i) {
+    std::string file = files[i % 3];
+    for (auto change = random() % 3; change-- > 0;) {
+      const std::size_t at = random() % file.size();
+      const char byte = static_cast<char>(random() % 2 == 0 ? random() : '0' + random() % 10);
+      if (random() % 3 == 0)
+        file.insert(at, 1, byte);
+      else
+        file[at] = byte;
+    }
+    pcdReason(write("mutated.pcd", file)).empty() ? ++read : ++refused;
+  }
+  EXPECT_GT(read, 900U) << "a third is not mutated at all";
+  EXPECT_GT(refused, 300U);
 }
 
 TEST_F(PlayerFiles, ReadsDepthWithColour) {

@@ -8,7 +8,7 @@
 namespace pilothouse {
 namespace {
 
-constexpr std::uint8_t kFloat32 = 7;  // sensor_msgs/PointField::FLOAT32
+constexpr std::uint8_t kFloat32 = 7;  // PointField::FLOAT32
 constexpr std::array<std::string_view, 3> kAxes{"x", "y", "z"};
 using Reason = std::optional<std::string>;
 

@@ -14,7 +14,7 @@ namespace pilothouse {
 struct CloudField {
   std::string_view name;
   std::uint32_t offset;   ///< bytes from the start of a point
-  std::uint8_t datatype;  ///< sensor_msgs/PointField datatype; 7 is float32
+  std::uint8_t datatype;  ///< of the message PointField; 7 is float32
   std::uint32_t count;
 };
 

@@ -142,6 +142,13 @@ PointLayout pointLayout(const Lines& lines, const PcdBounds& bounds, Reason& fau
   return layout;
 }
 
+std::optional<PcdData> codingOf(std::string_view word) {
+  if (word == "ascii") return PcdData::kAscii;
+  if (word == "binary") return PcdData::kBinary;
+  if (word == "binary_compressed") return PcdData::kBinaryCompressed;
+  return {};
+}
+
 std::uint32_t littleEndian(std::string_view bytes) {
   std::uint32_t value = 0;
   for (std::size_t i = 4; i-- > 0;) value = value << 8U | static_cast<std::uint8_t>(bytes[i]);
@@ -204,16 +211,11 @@ Checked<PcdHeader> parsePcdHeader(std::string_view head, std::uint64_t file_size
                            " bytes, expected at most " + std::to_string(bounds.max_bytes));
 
   const std::string_view word = lines.values[kData].empty() ? "" : lines.values[kData][0];
-  if (word == "ascii") {
-    header.data = PcdData::kAscii;
-  } else if (word == "binary") {
-    header.data = PcdData::kBinary;
-  } else if (word == "binary_compressed") {
-    header.data = PcdData::kBinaryCompressed;
-  } else {
+  const std::optional<PcdData> coding = codingOf(word);
+  if (!coding)
     return Result::refused("PCD DATA is " + quoted(word) +
                            ", expected ascii, binary or binary_compressed");
-  }
+  header.data = *coding;
   fault = dataFault(head, file_size, header, layout.values);
   return fault ? Result::refused(*fault) : Result::of(header);
 }

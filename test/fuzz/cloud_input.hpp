@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <memory>
 
 #include "core/cloud/cloud_view.hpp"
 #include "test/fuzz/input.hpp"
@@ -16,7 +15,8 @@ struct CloudInput {
     bytes.height = input.take<std::uint32_t>();
     bytes.point_step = input.take<std::uint32_t>();
     bytes.row_step = input.take<std::uint32_t>();
-    bytes.is_bigendian = (input.take<std::uint8_t>() & 1U) != 0;
+    const auto flags = input.take<std::uint8_t>();  // 1: big endian, 2: unaligned
+    bytes.is_bigendian = (flags & 1U) != 0;
     bytes.field_count = input.take<std::uint8_t>() % (fields.size() + 1);
     constexpr std::array<std::string_view, 5> kNames{"x", "y", "z", "rgb", ""};
     for (std::size_t i = 0; i < bytes.field_count; ++i) {
@@ -26,15 +26,15 @@ struct CloudInput {
       fields[i].count = input.take<std::uint32_t>();
     }
     bytes.fields = fields.data();
-    data = input.rest();
-    bytes.data = data.get();
+    data = input.rest((flags & 2U) != 0 ? 1 : 0);
+    bytes.data = data.data();
     bytes.size = input.left();
   }
   CloudInput(const CloudInput&) = delete;
   CloudInput& operator=(const CloudInput&) = delete;
 
   std::array<CloudField, 8> fields{};
-  std::unique_ptr<std::uint8_t[]> data;
+  FuzzBytes data;
   CloudBytes bytes{};
 };
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <memory>
 
 #include "core/cloud/depth_view.hpp"
 #include "test/fuzz/input.hpp"
@@ -17,21 +16,22 @@ struct DepthInput {
     bytes.step = input.take<std::uint32_t>();
     constexpr std::array<std::string_view, 5> kEncodings{"16UC1", "32FC1", "mono16", "rgb8", ""};
     bytes.encoding = kEncodings[input.take<std::uint8_t>() % kEncodings.size()];
-    bytes.is_bigendian = (input.take<std::uint8_t>() & 1U) != 0;
+    const auto flags = input.take<std::uint8_t>();  // 1: big endian, 2: unaligned
+    bytes.is_bigendian = (flags & 1U) != 0;
     bytes.info_width = input.take<std::uint32_t>();
     bytes.info_height = input.take<std::uint32_t>();
     bytes.intrinsics.fx = input.take<double>();
     bytes.intrinsics.fy = input.take<double>();
     bytes.intrinsics.cx = input.take<double>();
     bytes.intrinsics.cy = input.take<double>();
-    data = input.rest();
-    bytes.data = data.get();
+    data = input.rest((flags & 2U) != 0 ? 1 : 0);
+    bytes.data = data.data();
     bytes.size = input.left();
   }
   DepthInput(const DepthInput&) = delete;
   DepthInput& operator=(const DepthInput&) = delete;
 
-  std::unique_ptr<std::uint8_t[]> data;
+  FuzzBytes data;
   DepthBytes bytes{};
 };
 

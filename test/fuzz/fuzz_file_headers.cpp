@@ -11,13 +11,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto bytes = input.rest();
   const std::size_t left = input.left();
   if (!pcd) {
-    const auto header = parsePngHeader(bytes.get(), left);
+    const auto header = parsePngHeader(bytes.data(), left);
     if (!header) return require(!header.reason().empty()), 0;
     require(header->width > 0 && header->width <= 8192);
     require(header->height > 0 && header->height <= 8192);
     return 0;
   }
-  const std::string_view head(reinterpret_cast<const char*>(bytes.get()), left);
+  const std::string_view head(reinterpret_cast<const char*>(bytes.data()), left);
   const auto header = parsePcdHeader(head, left);
   if (!header) return require(!header.reason().empty()), 0;
   const std::size_t points = std::size_t{header->width} * header->height;

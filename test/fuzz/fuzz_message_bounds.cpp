@@ -71,12 +71,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   FuzzInput input(data, size);
   const Message& message = kMessages[input.take<std::uint8_t>() % 4];
   const auto bytes = input.rest();
-  const auto fault = message.fault(bytes.get(), input.left(), {});
+  const auto fault = message.fault(bytes.data(), input.left(), {});
   if (fault) {
     require(fault->value > fault->limit && !describe(*fault).empty());
     return 0;
   }
-  Trusting in(bytes.get(), input.left());
+  Trusting in(bytes.data(), input.left());
   message.read(in);
   require(in.atEnd());
   return 0;

@@ -7,6 +7,13 @@
 
 namespace pilothouse {
 
+struct FuzzBytes {
+  std::uint8_t* data() const { return memory.get() + shift; }
+
+  std::unique_ptr<std::uint8_t[]> memory;
+  std::size_t shift = 0;
+};
+
 /// Reads a fuzz input from its front; numbers are zero once it has ended.
 class FuzzInput {
  public:
@@ -22,10 +29,11 @@ class FuzzInput {
     return value;
   }
   std::size_t left() const { return left_; }
-  /// What is left, in memory of exactly that size: ASan sees any step beyond it.
-  std::unique_ptr<std::uint8_t[]> rest() const {
-    auto copy = std::make_unique<std::uint8_t[]>(left_);
-    if (left_ > 0) std::memcpy(copy.get(), next_, left_);
+  /// What is left, in memory that ends with it: ASan sees any step beyond.
+  /// @param shift bytes by which it misses its natural alignment.
+  FuzzBytes rest(std::size_t shift = 0) const {
+    FuzzBytes copy{std::make_unique<std::uint8_t[]>(shift + left_), shift};
+    if (left_ > 0) std::memcpy(copy.data(), next_, left_);
     return copy;
   }
 

@@ -75,6 +75,7 @@ CORPUS = {
         "offset": cloud(1, 1, 12, fields=[(0, 0xFFFFFFFC, 7, 1)] + XYZ[1:]),
         "twice": cloud(1, 1, 16, fields=XYZ + [(0, 12, 7, 1)]),
         "big_endian": cloud(1, 1, 12, flags=1),
+        "unaligned": cloud(4, 1, 12, data=floats(*range(12)), flags=2),
         "no_xyz": cloud(1, 1, 12, fields=[]),
     },
     "depth_view": {
@@ -89,6 +90,7 @@ CORPUS = {
         "other_info": depth(4, 3, 2, 0, info=(3, 4)),
         "uncalibrated": depth(4, 3, 2, 0, f=0.0),
         "big_endian": depth(4, 3, 2, 0, flags=1),
+        "unaligned": depth(2, 2, 4, 1, floats(1.5, float("nan"), float("inf"), -1.0), flags=2),
     },
     "message_bounds": {
         "cloud": b"\0" + cloud_message(),
@@ -129,6 +131,8 @@ def floor_seeds():
     for choice in range(4):
         seeds["depth_%d" % choice] = bytes([choice, 74]) + depth(16, 12, 2, 0, millimetres, f=12.0)
         seeds["cloud_%d" % choice] = bytes([choice | 4, 74]) + cloud(16, 12, 16, data=points)
+    seeds["depth_unaligned"] = bytes([0, 74]) + depth(16, 12, 2, 0, millimetres, f=12.0, flags=2)
+    seeds["cloud_unaligned"] = bytes([4, 74]) + cloud(16, 12, 16, data=points, flags=2)
     seeds["far"] = bytes([4, 74]) + cloud(2, 1, 12, data=floats(3e38, -3e38, 3e38, 1e-40, 0, 1e30))
     seeds["metres"] = bytes([0, 74]) + depth(4, 1, 4, 1, floats(1.0, 3e38, 1e-40, 1.5), f=1.0)
     return seeds
