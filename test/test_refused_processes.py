@@ -3,8 +3,9 @@
 import subprocess
 import sys
 import unittest
+import xmlrpc.client
 
-import rosnode
+import rosgraph
 import rospy
 import rostest
 
@@ -28,7 +29,10 @@ class RefusedProcesses(unittest.TestCase):
     def test_loading_into_a_manager(self):
         rospy.set_param('/loaded/range', 'far')
         self.refuse('load', 'pilothouse/CloudFloor', 'manager', '__name:=loaded')
-        self.assertTrue(rosnode.rosnode_ping('/manager', max_count=1), 'the manager must live')
+        manager = rosgraph.Master('/test_refused_processes').lookupNode('/manager')
+        code, _, pid = xmlrpc.client.ServerProxy(manager).getPid('/test_refused_processes')
+        self.assertEqual(code, 1, 'the manager must live')
+        self.assertGreater(pid, 0)
 
     def test_robot_without_a_camera(self):
         rospy.set_param('/robot/name', 'half')
