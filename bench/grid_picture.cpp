@@ -115,7 +115,9 @@ cv::Mat sheet(const std::vector<cv::Mat>& panels, int columns, const std::string
   const int rows = (static_cast<int>(panels.size()) + columns - 1) / columns;
   cv::Mat sheet(40 + rows * (one.height + kGap), kGap + columns * (one.width + kGap), CV_8UC3,
                 kPaper);
-  write(sheet, headline, {kGap, 27}, 0.65);
+  const int wide = cv::getTextSize(headline, cv::FONT_HERSHEY_SIMPLEX, 0.65, 1, nullptr).width;
+  const double room = static_cast<double>(sheet.cols - 2 * kGap) / std::max(1, wide);
+  write(sheet, headline, {kGap, 27}, 0.65 * std::min(1.0, room));
   for (int i = 0; i < static_cast<int>(panels.size()); ++i) {
     const cv::Point at(kGap + i % columns * (one.width + kGap),
                        40 + i / columns * (one.height + kGap));
