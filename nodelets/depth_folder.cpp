@@ -117,16 +117,14 @@ DepthFolder::DepthFolder(const std::string& folder) : folder_(folder) {
 DepthFrame DepthFolder::read(std::size_t index) const {
   const FramePair& pair = frames_.at(index);
   DepthFrame frame;
-  naming(pair.depth, [&] {
-    const cv::Mat depth = readPng(folder_ + "/" + pair.depth, cv::IMREAD_UNCHANGED);
-    if (depth.type() != CV_16UC1)
-      throw std::runtime_error("PNG has " + std::to_string(depth.channels()) + " channels of " +
-                               std::to_string(depth.elemSize1() * 8) +
-                               " bits, expected one of 16, millimetres");
-    frame.depth = imageOf(depth, sensor_msgs::image_encodings::TYPE_16UC1);
-    const auto view = openView(frame.depth, info_);
-    if (!view) throw std::runtime_error(view.reason());
-  });
+  const cv::Mat depth = readPng(folder_ + "/" + pair.depth, cv::IMREAD_UNCHANGED);
+  if (depth.type() != CV_16UC1)
+    throw std::runtime_error("PNG has " + std::to_string(depth.channels()) + " channels of " +
+                             std::to_string(depth.elemSize1() * 8) +
+                             " bits, expected one of 16, millimetres");
+  frame.depth = imageOf(depth, sensor_msgs::image_encodings::TYPE_16UC1);
+  const auto view = openView(frame.depth, info_);
+  if (!view) throw std::runtime_error(view.reason());
   if (pair.colour.empty()) return frame;
   naming(pair.colour, [&] {
     const cv::Mat colour = readPng(folder_ + "/" + pair.colour, cv::IMREAD_COLOR);

@@ -30,7 +30,8 @@ class DepthFolder {
 
   const std::vector<FramePair>& frames() const { return frames_; }
   const sensor_msgs::CameraInfo& info() const { return info_; }
-  /// @throws std::runtime_error naming the picture that is refused, and why.
+  /// @throws std::runtime_error with the reason why the depth picture is refused, or naming the
+  ///   colour picture and why that is.
   DepthFrame read(std::size_t frame) const;
 
  private:
