@@ -8,7 +8,9 @@
 namespace pilothouse {
 namespace {
 
-TEST(FloorParameters, DefaultsAreSound) { EXPECT_TRUE(validate(FloorParameters{}).empty()); }
+TEST(FloorParameters, DefaultsAreSound) {
+  EXPECT_TRUE(validate(FloorParameters{}).empty());
+}
 
 TEST(FloorParameters, EachFaultNamesKeyValueAndRange) {
   FloorParameters p;

@@ -2,8 +2,8 @@
 // at one address, and nobody changes it. The relay beside this test (zero_copy.test) is a process
 // of its own and so copies: the same check must condemn it, or it could not fail.
 #include <gtest/gtest.h>
-#include <ros/serialization.h>
 #include <ros/network.h>
+#include <ros/serialization.h>
 #include <ros/xmlrpc_manager.h>
 #include <xmlrpcpp/XmlRpcClient.h>
 
