@@ -1,0 +1,73 @@
+#!/usr/bin/env python3
+"""What the evaluations' command lines answer. Usage: eval_cli_test.py FOLDER_OF_PROGRAMS"""
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+FOLDER = sys.argv.pop(1)
+DATA = os.environ.get("PILOTHOUSE_DATA")
+NAMES = ("eval_floor", "eval_labelled", "eval_realfloor")
+
+
+def call(name, *options):
+    return subprocess.run([os.path.join(FOLDER, name), *options], stdout=subprocess.PIPE,
+                          stderr=subprocess.PIPE, universal_newlines=True)
+
+
+class EvalCommandLine(unittest.TestCase):
+    def test_help(self):
+        for name in NAMES:
+            done = call(name, "--help")
+            self.assertEqual(done.returncode, 0, name)
+            self.assertIn("usage: ", done.stdout)
+
+    def refused(self, name, *options):
+        done = call(name, *options)
+        self.assertEqual(done.returncode, 2, (name, options))
+        self.assertEqual(done.stdout, "")
+        self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+        return done.stderr
+
+    def test_wrong_calls_are_one_line_and_exit_code_2(self):
+        for name in NAMES:
+            self.assertIn("--wrong", self.refused(name, "--wrong"))
+            self.assertIn("--out", self.refused(name, "--out"))
+            self.assertIn("/dev/null/x", self.refused(name, "--out", "/dev/null/x"))
+        for number in ("0", "-1", "1.5", "", "many", "9" * 30):
+            self.assertIn("--runs is '%s'" % number, self.refused("eval_floor", "--runs", number))
+        for name in NAMES[1:]:
+            self.assertIn("/no/such/folder", self.refused(name, "--data", "/no/such/folder"))
+            self.assertIn("--data", self.refused(name))
+            with tempfile.TemporaryDirectory() as empty:
+                self.assertIn(empty, self.refused(name, "--data", empty))
+
+    def test_damaged_list_of_planes_names_the_line(self):
+        with tempfile.TemporaryDirectory() as folder:
+            with open(os.path.join(folder, "floor_planes.txt"), "w") as file:
+                file.write("# comment\nx.pcd n=(0 -1 0) h=high tilt=3\n")
+            self.assertIn("line 2", self.refused("eval_realfloor", "--data", folder))
+
+    def test_damaged_cloud_is_named(self):
+        with tempfile.TemporaryDirectory() as folder:
+            with open(os.path.join(folder, "x.pcd"), "w") as file:
+                file.write("no cloud")
+            done = call("eval_labelled", "--data", folder)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn("x.pcd", done.stderr)
+
+    @unittest.skipUnless(DATA, "PILOTHOUSE_DATA is not set: no recordings")
+    def test_recordings_meet_their_bars(self):
+        for name in NAMES[1:]:
+            with tempfile.TemporaryDirectory() as out:
+                done = call(name, "--data", os.path.join(DATA, "floor_depth"), "--out", out)
+                lines = [json.loads(line) for line in done.stdout.splitlines()]
+                self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+                self.assertTrue(lines[-1]["summary"] and lines[-1]["pass"])
+                self.assertEqual(len(os.listdir(out)), len(lines) - 1)
+
+
+if __name__ == "__main__":
+    unittest.main()
