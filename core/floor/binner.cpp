@@ -90,8 +90,9 @@ void Binner::setPlan(const Eigen::Isometry3f& T_base_sensor) {
   plan_.step = fold(T_base_sensor, 2, -static_cast<double>(scale_.low), per_step, 0.5);
   plan_.column_limit = static_cast<float>(geometry_.size_x + 1) * kUnitsPerCell;
   plan_.row_limit = static_cast<float>(geometry_.size_y + 1) * kUnitsPerCell;
-  plan_.step_limit = static_cast<float>(
-      (static_cast<double>(scale_.high) - static_cast<double>(scale_.low)) * per_step + 0.5);
+  const double steps =
+      (static_cast<double>(scale_.high) - static_cast<double>(scale_.low)) * per_step;
+  plan_.step_limit = static_cast<float>(std::min(steps, double{HeightScale::kMaxStep}) + 0.5);
   plan_.size_x = geometry_.size_x;
   plan_.size_y = geometry_.size_y;
 }

@@ -57,20 +57,23 @@ constexpr std::size_t paddedWidth(std::size_t width) {
 }
 
 /// Partial sums of a cell, of which the vector kernels keep several copies. A sum packs
-///   bits 0..30 squared steps, bits 31..49 steps, bits 56..62 count,
-/// so that a point is one addition of q * (q + 2^31) + 2^56 to one word in memory. Bit 63 appears
-/// with the 128th point, when every field still fits: then the sum moves to the spilled moments.
+///   bits 0..31 squared steps, bits 32..51 steps, bits 55..62 count,
+/// so that a point is one addition to one word in memory. Bit 63 appears with the 256th point, when
+/// every field still fits: then the sum moves to the spilled moments.
 /// Neighbouring points mostly fall into the same cell, and adding to a word that was stored a
 /// moment ago waits for that store; so point i adds to copy i % kCopies. They share one cache line.
 struct alignas(64) CellSlot {
   static constexpr int kCopies = 8;
-  static constexpr int kStepBit = 31, kCountBit = 56;
-  static constexpr std::uint64_t kFullCount = 128;
+  static constexpr int kStepBit = 32, kCountBit = 55;
+  static constexpr std::uint64_t kFullCount = 256;
   std::uint64_t copies[kCopies];
 };
+static_assert(CellSlot::kFullCount << CellSlot::kCountBit == std::uint64_t{1} << 63);
 static_assert(CellSlot::kFullCount * HeightScale::kMaxStep * HeightScale::kMaxStep <
               std::uint64_t{1} << CellSlot::kStepBit);
-static_assert(CellSlot::kFullCount * HeightScale::kMaxStep <
+// A whole slot's steps fit as well, so that its copies can be added up without unpacking this
+// field.
+static_assert(CellSlot::kCopies * CellSlot::kFullCount * HeightScale::kMaxStep <
               std::uint64_t{1} << (CellSlot::kCountBit - CellSlot::kStepBit));
 
 /// What a vector kernel adds to. A spare row and column at either side take the points outside
@@ -78,7 +81,7 @@ static_assert(CellSlot::kFullCount * HeightScale::kMaxStep <
 struct BinningSums {
   CellSlot* slots;
   CellMoments* spilled;  ///< for each slot
-  bool any_spilled;
+  bool any_spilled;      ///< from a slot that is not spare
 };
 
 /// The slot's number is a sum of 16-bit products.

@@ -28,6 +28,10 @@ class LaneBinner {
         step_limit_(Lanes::all(plan.step_limit)),
         size_limits_(Lanes::pairs(plan.size_x + 1, plan.size_y + 1)),
         slot_weights_(Lanes::pairs(CellSlot::kCopies, (plan.size_x + 2) * CellSlot::kCopies)),
+        one_point_(Lanes::all32(unknown(kOnePoint))),
+        slot_columns_(static_cast<std::uint32_t>(plan.size_x) + 2),
+        slot_rows_(static_cast<std::uint32_t>(plan.size_y) + 2),
+        slots_(reinterpret_cast<std::uint64_t*>(sums.slots)),
         sums_(sums) {}
 
   void addCloud(const CloudSpan& span) const {
@@ -59,6 +63,16 @@ class LaneBinner {
   }
 
  private:
+  /// Upper half of the sum of a point at step 0.
+  static constexpr std::uint32_t kOnePoint = 1U << (CellSlot::kCountBit - CellSlot::kStepBit);
+
+  /// Keeps the compiler from making a constant anew for every vector.
+  template <class T>
+  static PILOTHOUSE_INLINE T unknown(T value) {
+    asm("" : "+r"(value));
+    return value;
+  }
+
   struct Axis {
     explicit Axis(const BinningAxis& axis)
         : x(Lanes::all(axis.x)),
@@ -117,12 +131,14 @@ class LaneBinner {
     const Float v_column = Lanes::all(row.row_terms[0]);
     const Float v_row = Lanes::all(row.row_terms[1]);
     const Float v_step = Lanes::all(row.row_terms[2]);
+    const float* terms[3] = {row.column_terms[0], row.column_terms[1], row.column_terms[2]};
+    const std::uint8_t* row_pixels = row.pixels;
     const auto addVector = [&](const std::uint8_t* pixels, std::size_t u)
         __attribute__((always_inline)) {
       const Float depth = Lanes::loadDepth(pixels, Pixel{});
       const auto onAxis = [&](int axis, Float row_term, Float offset)
           __attribute__((always_inline)) {
-        return depth * (Lanes::load(row.column_terms[axis] + u) + row_term) + offset;
+        return depth * (Lanes::load(terms[axis] + u) + row_term) + offset;
       };
       const Float step = onAxis(2, v_step, step_.offset);
       const Float keep = Lanes::both(Lanes::isPositive(depth), Lanes::notAbove(step, step_limit_));
@@ -130,7 +146,7 @@ class LaneBinner {
     };
     const std::size_t whole = row.width / kWidth * kWidth;
     for (std::size_t u = 0; u < whole; u += kWidth) {
-      addVector(row.pixels + u * sizeof(Pixel), u);
+      addVector(row_pixels + u * sizeof(Pixel), u);
     }
     if (whole < row.width) {
       std::uint8_t rest[kWidth * sizeof(Pixel)] = {};  // depth 0: no measurement
@@ -151,8 +167,7 @@ class LaneBinner {
     keep = Lanes::both(keep, Lanes::below(column, column_limit_));
     // Rows of the picture above the horizon or beyond the range come in long runs.
     if (Lanes::noneTrue(keep)) return;
-    const Float top = Lanes::all(static_cast<float>(HeightScale::kMaxStep));
-    const Int q = Lanes::cut(Lanes::lesser(Lanes::greater(step, Lanes::all(0.0F)), top));
+    const Int q = Lanes::cut(Lanes::greater(step, Lanes::all(0.0F)));
     // As unsigned 16-bit numbers, cells below the edge, beyond it and the overflow of a conversion
     // are all above the limit, which is the spare cell. What keep leaves out gets slot 0.
     const Int cells =
@@ -163,39 +178,52 @@ class LaneBinner {
     alignas(32) std::uint32_t at[kWidth];
     alignas(32) std::uint64_t value[kWidth];
     Lanes::store(at, slot);
-    Lanes::storePacked(value, q);
+    Lanes::storePacked(value, q, Lanes::either(q, one_point_));
     asm("" : "+m"(at), "+m"(value));  // keeps the compiler from extracting after all
-    auto* copies = reinterpret_cast<std::uint64_t*>(sums_.slots) + copy % CellSlot::kCopies;
-    asm("" : "+r"(copies));  // one address, from which each lane's is a fixed distance
+    std::uint64_t* copies = slots_ + copy % CellSlot::kCopies;
+    std::uint64_t any_full = 0;
 #pragma GCC unroll 8
     for (std::size_t lane = 0; lane < kWidth; ++lane) {
       // storePacked puts the even lanes first.
       const std::size_t from = lane / 2 + lane % 2 * (kWidth / 2);
-      addTo(copies + at[lane] + lane, value[from]);
+      const std::uint64_t sum = copies[at[lane] + lane] + value[from];
+      copies[at[lane] + lane] = sum;
+      any_full |= sum;
+    }
+    if (__builtin_expect(static_cast<std::int64_t>(any_full) < 0, 0))
+      spill(at, copies, slot_columns_, slot_rows_, sums_);
+  }
+
+  /// Moves the full ones of the sums that a vector added to; a spare slot's are dropped.
+  __attribute__((noinline, cold)) static void spill(const std::uint32_t* at, std::uint64_t* copies,
+                                                    std::uint32_t slot_columns,
+                                                    std::uint32_t slot_rows, BinningSums& sums) {
+    for (std::size_t lane = 0; lane < kWidth; ++lane) {
+      std::uint64_t& sum = copies[at[lane] + lane];
+      if (sum >> CellSlot::kCountBit < CellSlot::kFullCount) continue;
+      const std::uint32_t slot = at[lane] / CellSlot::kCopies;
+      const std::uint32_t ix = slot % slot_columns, iy = slot / slot_columns;
+      if (ix > 0 && iy > 0 && ix + 1 < slot_columns && iy + 1 < slot_rows) {
+        addUnpacked(sum, sums.spilled[slot]);
+        sums.any_spilled = true;
+      }
+      sum = 0;
     }
   }
 
-  PILOTHOUSE_INLINE void addTo(std::uint64_t* sum, std::uint64_t value) const {
-    *sum += value;
-    if (__builtin_expect(static_cast<std::int64_t>(*sum) < 0, 0)) spill(sum);
-  }
-
-  __attribute__((noinline, cold)) void spill(std::uint64_t* sum) const {
-    constexpr std::uint64_t kSquareMask = (std::uint64_t{1} << CellSlot::kStepBit) - 1;
-    constexpr std::uint64_t kStepMask =
-        (std::uint64_t{1} << (CellSlot::kCountBit - CellSlot::kStepBit)) - 1;
-    const auto* first = reinterpret_cast<std::uint64_t*>(sums_.slots);
-    CellMoments& moments = sums_.spilled[(sum - first) / CellSlot::kCopies];
-    moments.count += static_cast<std::uint32_t>(*sum >> CellSlot::kCountBit);
-    moments.sum += (*sum >> CellSlot::kStepBit) & kStepMask;
-    moments.sum_square += *sum & kSquareMask;
-    *sum = 0;
-    sums_.any_spilled = true;
+  static void addUnpacked(std::uint64_t sum, CellMoments& moments) {
+    const std::uint64_t upper = sum >> CellSlot::kStepBit;
+    moments.count += static_cast<std::uint32_t>(upper / kOnePoint);
+    moments.sum += upper % kOnePoint;
+    moments.sum_square += sum % (std::uint64_t{1} << CellSlot::kStepBit);
   }
 
   Axis column_, row_, step_;
   Float column_limit_, step_limit_;
   Int size_limits_, slot_weights_;
+  Int one_point_;
+  std::uint32_t slot_columns_, slot_rows_;
+  std::uint64_t* slots_;
   BinningSums& sums_;
 };
 

@@ -18,7 +18,6 @@ void addPoint(const BinningPlan& plan, float column, float row, float step, Cell
   if (!(row >= kUnitsPerCell && row < plan.row_limit)) return;
   if (!(step <= plan.step_limit)) return;
   if (step < 0.0F) step = 0.0F;
-  if (step > static_cast<float>(HeightScale::kMaxStep)) step = HeightScale::kMaxStep;
   const auto q = static_cast<std::uint32_t>(step);
   const auto ix = static_cast<std::int32_t>(column / kUnitsPerCell) - 1;
   const auto iy = static_cast<std::int32_t>(row / kUnitsPerCell) - 1;

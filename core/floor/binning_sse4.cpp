@@ -23,7 +23,6 @@ struct Sse4 {
   static PILOTHOUSE_INLINE Float isPositive(Float a) { return _mm_cmplt_ps(_mm_setzero_ps(), a); }
   static PILOTHOUSE_INLINE bool noneTrue(Float mask) { return _mm_movemask_ps(mask) == 0; }
   static PILOTHOUSE_INLINE Float greater(Float a, Float b) { return _mm_max_ps(a, b); }
-  static PILOTHOUSE_INLINE Float lesser(Float a, Float b) { return _mm_min_ps(a, b); }
   static PILOTHOUSE_INLINE Int cut(Float a) { return _mm_cvttps_epi32(a); }
   static PILOTHOUSE_INLINE Int masked(Int a, Float mask) {
     return _mm_and_si128(a, _mm_castps_si128(mask));
@@ -51,6 +50,10 @@ struct Sse4 {
     return _mm_loadu_ps(reinterpret_cast<const float*>(p));
   }
 
+  static PILOTHOUSE_INLINE Int all32(std::uint32_t value) {
+    return _mm_set1_epi32(static_cast<std::int32_t>(value));
+  }
+  static PILOTHOUSE_INLINE Int either(Int a, Int b) { return _mm_or_si128(a, b); }
   /// Each 32-bit lane gets these two 16-bit halves.
   static PILOTHOUSE_INLINE Int pairs(std::int32_t low, std::int32_t high) {
     return _mm_set1_epi32(low | high << 16);
@@ -61,18 +64,17 @@ struct Sse4 {
   static PILOTHOUSE_INLINE Int lesser16(Int a, Int b) { return _mm_min_epu16(a, b); }
   static PILOTHOUSE_INLINE Int sumOfProducts16(Int a, Int b) { return _mm_madd_epi16(a, b); }
 
-  static PILOTHOUSE_INLINE void store(std::uint32_t* to, Int a) {
+  template <class T>
+  static PILOTHOUSE_INLINE void store(T* to, Int a) {
     _mm_store_si128(reinterpret_cast<__m128i*>(to), a);
   }
-  /// q * (q + 2^31) + 2^56 of the even lanes, then of the odd ones: the products of 32-bit numbers
-  /// take every second lane.
-  static PILOTHOUSE_INLINE void storePacked(std::uint64_t* to, Int q) {
-    const Int shifted = _mm_or_si128(q, _mm_set1_epi32(INT32_MIN));
-    const Int one = _mm_set1_epi64x(std::int64_t{1} << CellSlot::kCountBit);
-    const Int even = _mm_mul_epu32(q, shifted);
-    const Int odd = _mm_mul_epu32(_mm_srli_epi64(q, 32), _mm_srli_epi64(shifted, 32));
-    _mm_store_si128(reinterpret_cast<__m128i*>(to), _mm_or_si128(even, one));
-    _mm_store_si128(reinterpret_cast<__m128i*>(to + kWidth / 2), _mm_or_si128(odd, one));
+  /// Sums of one point each: first of the even lanes, then of the odd ones, because products of
+  /// 32-bit numbers take every second lane. The lower half is q * q, the upper half `upper`.
+  static PILOTHOUSE_INLINE void storePacked(std::uint64_t* to, Int q, Int upper) {
+    const Int odd = _mm_shuffle_epi32(q, _MM_SHUFFLE(3, 3, 1, 1));
+    const Int upper_even = _mm_shuffle_epi32(upper, _MM_SHUFFLE(2, 2, 0, 0));
+    store(to, _mm_blend_epi16(_mm_mul_epu32(q, q), upper_even, 0xCC));
+    store(to + kWidth / 2, _mm_blend_epi16(_mm_mul_epu32(odd, odd), upper, 0xCC));
   }
 };
 

@@ -16,7 +16,7 @@ struct CellMoments {
 struct HeightScale {
   static constexpr int kMaxStep = 4095;
   float low = -0.6F;    ///< [m]; lower points count as this low
-  float high = 1.6F;    ///< [m]; higher points are ignored
+  float high = 1.6F;    ///< [m]; higher points are ignored, as are those above kMaxStep steps
   float step = 0.001F;  ///< [m]
 };
 
