@@ -40,6 +40,8 @@ constexpr Figure kFigures[] = {
     {"false_on_empty", &FloorScore::false_on_empty},
     {"beyond_blocked", &FloorScore::beyond_blocked},
     {"measured", &FloorScore::measured},
+    {"recall_7cm_strict", &FloorScore::recall_7cm_strict},
+    {"recall_18cm_strict", &FloorScore::recall_18cm_strict},
     {"ramp_strict", &FloorScore::ramp_strict},
     {"sill_strict", &FloorScore::sill_strict},
 };

@@ -140,6 +140,8 @@ void FloorScore::add(const FloorScore& other) {
   false_on_empty.add(other.false_on_empty);
   beyond_blocked.add(other.beyond_blocked);
   measured.add(other.measured);
+  recall_7cm_strict.add(other.recall_7cm_strict);
+  recall_18cm_strict.add(other.recall_18cm_strict);
   ramp_strict.add(other.ramp_strict);
   sill_strict.add(other.sill_strict);
 }
@@ -170,13 +172,16 @@ FloorScore score(const SceneTruth& scene, const std::vector<CellClass>& classes,
       s.measured.count(measured);
       if (t == CellTruth::kRamp) s.ramp_strict.count(isDrivable(c));
       if (t == CellTruth::kSill) s.sill_strict.count(isDrivable(c));
-      if (!measured && isDrivable(t) && c == CellClass::kUnknown) continue;
       const bool found = c == CellClass::kObstacle;
+      const bool low = t == CellTruth::kBox7cm && x <= range.x_max_7cm;
+      if (low) s.recall_7cm_strict.count(found);
+      if (t == CellTruth::kBox18cm) s.recall_18cm_strict.count(found);
+      if (!measured && c == CellClass::kUnknown) continue;
       if (isObstacle(t)) s.recall.count(found);
       // A drop-off where there is floor is as false as an obstacle there.
       if (isObstacle(t) || isBlocked(c)) s.iou.count(isObstacle(t) && found);
       if (t == CellTruth::kBox18cm) s.recall_18cm.count(found);
-      if (t == CellTruth::kBox7cm && x <= range.x_max_7cm) s.recall_7cm.count(found);
+      if (low) s.recall_7cm.count(found);
       if (t == CellTruth::kRamp) s.ramp_drivable.count(isDrivable(c));
       if (t == CellTruth::kSill) s.sill_drivable.count(isDrivable(c));
       if (t == CellTruth::kFloor) s.floor_drivable.count(isDrivable(c));

@@ -80,9 +80,9 @@ struct FloorScore {
   Share false_on_empty;  ///< of floor cells of scenes with nothing in them
   Share beyond_blocked;  ///< of cells past a step down: not drivable
   // Told beside, no bar of their own.
-  Share measured;     ///< of scored cells short of a step down: enough noisy points, too
-  Share ramp_strict;  ///< as ramp_drivable, cells that the noisy camera did not measure included
-  Share sill_strict;
+  Share measured;  ///< of scored cells short of a step down: enough noisy points, too
+  // The same as above with the cells that the noisy camera did not measure counted as faults.
+  Share recall_7cm_strict, recall_18cm_strict, ramp_strict, sill_strict;
   void add(const FloorScore& other);
 };
 

@@ -107,13 +107,15 @@ TEST_F(FloorScoring, UnknownIsAFaultWhereTheNoisyViewHasPoints) {
   EXPECT_EQ(scoreOf(scene, all(CellClass::kObstacle)).floor_drivable.whole, 25U);
 }
 
-TEST_F(FloorScoring, ObstacleThatTheNoisyViewLosesStaysInTheRecall) {
+TEST_F(FloorScoring, ObstacleThatTheNoisyViewLosesCountsInTheStrictRecallAlone) {
   put(cell(2, 2), Surface::kBox18cm, 8);
   SceneTruth scene = truth();
   scene.measured[rule_.geometry.index(2, 2)] = false;
-  const FloorScore s = scoreOf(scene, all(CellClass::kUnknown));
-  EXPECT_EQ(s.recall_18cm.whole, 1U);
-  EXPECT_EQ(s.recall_18cm.part, 0U);
+  const FloorScore unknown = scoreOf(scene, all(CellClass::kUnknown));
+  EXPECT_EQ(unknown.recall_18cm.whole, 0U);
+  EXPECT_EQ(unknown.recall_18cm_strict.whole, 1U);
+  EXPECT_EQ(unknown.recall_18cm_strict.part, 0U);
+  EXPECT_EQ(scoreOf(scene, all(CellClass::kFloor)).recall_18cm.whole, 1U);
 }
 
 TEST_F(FloorScoring, CeilingCallsACellByItsNoisyPoints) {
