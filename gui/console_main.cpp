@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
 
 #include "gui/model/ros_link.hpp"
 #include "gui/view/main_window.hpp"
@@ -55,7 +56,8 @@ int main(int argc, char** argv) {
                                link.askFloor(method, calibrate);
                              }};
   const bool pictured = !options->screenshot.isEmpty();
-  MainWindow window(context, !pictured);
+  auto window_owner = std::make_unique<MainWindow>(context, !pictured);
+  MainWindow& window = *window_owner;
   window.show();
   link.start();
   if (pictured) takeScreenshot(window, options->screenshot, options->after_s);
@@ -70,6 +72,8 @@ int main(int argc, char** argv) {
 
   const int result = application.exec();
   window.hide();
+  watch.stop();
+  window_owner.reset();  // before ROS goes: the 3D panel uses it
   if (!link.stop(1.0)) {
     // A call into ROS hangs, e.g. on a master that accepts but never answers. Settings are saved.
     std::fflush(nullptr);

@@ -102,7 +102,7 @@ TEST(Registry, findsEveryPanelOnceAndInOrder) {
   EXPECT_EQ(std::set<std::string>(ids.begin(), ids.end()).size(), ids.size());
   ASSERT_GE(ids.size(), 3U);
   EXPECT_EQ(ids[0], "map");
-  for (const char* id : {"depth", "colour"}) {
+  for (const char* id : {"depth", "colour", "scene"}) {
     EXPECT_EQ(std::count(ids.begin(), ids.end(), id), 1) << id;
   }
 }
@@ -262,10 +262,24 @@ TEST(MainWindow, everyKeyIsUniqueAndResetBringsPanelsBack) {
   EXPECT_GE(keys.size(), 8U);
   auto* canvas = window.findChild<QWidget*>("depth_canvas");
   ASSERT_TRUE(canvas && canvas->isVisible());
-  QTest::keyClick(&window, Qt::Key_2, Qt::ControlModifier);
-  EXPECT_FALSE(canvas->isVisible()) << "the second panel is the depth picture";
+  QTest::keyClick(&window, Qt::Key_3, Qt::ControlModifier);
+  EXPECT_FALSE(canvas->isVisible()) << "the third panel is the depth picture";
   QTest::keyClick(&window, Qt::Key_0, Qt::ControlModifier);
   EXPECT_TRUE(canvas->isVisible());
+}
+
+TEST(MainWindow, aPanelThatCannotBeHadLeavesADisabledEntryWithTheReason) {
+  ConsoleState state;
+  const RobotDescription r = robot();
+  MainWindow window({state, r, nullptr}, false);
+  const QAction* entry = nullptr;
+  for (const auto* action : window.findChildren<QAction*>()) {
+    if (action->text().startsWith("3D view")) entry = action;
+  }
+  ASSERT_TRUE(entry);
+  // No library lies beside this test's program, and the offscreen platform could not draw it.
+  EXPECT_FALSE(entry->isEnabled());
+  EXPECT_TRUE(entry->text().contains("built without rviz") || entry->text().contains("X11"));
 }
 
 TEST(MainWindow, fitsASmallScreen) {

@@ -5,13 +5,28 @@
 
 namespace pilothouse::gui {
 
-std::string masterText(const std::string& name) {
+namespace {
+
+// The parameter, or an invalid value.
+XmlRpc::XmlRpcValue parameter(const std::string& name) {
   XmlRpc::XmlRpcValue arguments, result, payload;
   arguments[0] = ros::this_node::getName();
   arguments[1] = name;
-  const bool found = ros::master::execute("getParam", arguments, result, payload, false) &&
-                     payload.getType() == XmlRpc::XmlRpcValue::TypeString;
-  return found ? static_cast<std::string>(payload) : std::string();
+  const bool found = ros::master::execute("getParam", arguments, result, payload, false);
+  return found ? payload : XmlRpc::XmlRpcValue();
+}
+
+}  // namespace
+
+std::string masterText(const std::string& name) {
+  XmlRpc::XmlRpcValue value = parameter(name);
+  const bool text = value.getType() == XmlRpc::XmlRpcValue::TypeString;
+  return text ? static_cast<std::string>(value) : std::string();
+}
+
+bool masterFlag(const std::string& name) {
+  XmlRpc::XmlRpcValue value = parameter(name);
+  return value.getType() == XmlRpc::XmlRpcValue::TypeBoolean && static_cast<bool>(value);
 }
 
 std::string masterIdentity() {

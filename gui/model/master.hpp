@@ -10,5 +10,7 @@ namespace pilothouse::gui {
 std::string masterIdentity();
 /// A text parameter by its resolved name; empty when it is not there or no text.
 std::string masterText(const std::string& name);
+/// A true or false parameter; false when it is not there.
+bool masterFlag(const std::string& name);
 
 }  // namespace pilothouse::gui

@@ -3,7 +3,6 @@
 #include <ros/init.h>
 #include <ros/master.h>
 #include <ros/names.h>
-#include <ros/time.h>
 
 #include <chrono>
 
@@ -115,7 +114,8 @@ bool RosLink::connectedStep() {
   setPhase(LinkPhase::kConnected, round_trip_ms);
   LinkStatus status = state_.link.get();
   status.robot = masterText(ros::names::resolve("robot/name"));
-  status.simulated_time = ros::Time::isSimTime();
+  // Asked anew: roscpp read it once, perhaps before the launch file had set it.
+  status.simulated_time = masterFlag("/use_sim_time");
   state_.link.set(status);
   streams_->review();
   return true;

@@ -11,6 +11,8 @@ namespace {
 
 constexpr int kButton = 22;
 constexpr int kFiguresWidth = 290;
+constexpr int kColumnGap = 12;
+constexpr int kDot = 10;
 
 QString ageText(double age_s) {
   return age_s < 100.0 ? QString::number(age_s, 'f', 1) + " s"
@@ -115,41 +117,50 @@ void HeaderStrip::paintEvent(QPaintEvent*) {
   const int left = theme::kSpace + 4;
   painter.drawText(QRect(left, 0, width(), height()), Qt::AlignVCenter | Qt::AlignLeft, title_);
 
-  // From the right: drops, age with its state, rate; each right-aligned in a column of its own.
+  if (!has_figures_) return;
+  paintFigures(painter, control_ && !control_->isHidden()
+                            ? control_->geometry().right() + kColumnGap
+                            : left + painter.fontMetrics().horizontalAdvance(title_) + kColumnGap);
+}
+
+// From the right: drops, age with its state, rate; each right-aligned in a column of its own. Where
+// the strip is short the drops go first, then the rate: the age matters most.
+void HeaderStrip::paintFigures(QPainter& painter, int title_end) const {
   painter.setFont(theme::smallFont());
   const QFontMetrics metrics(theme::smallFont());
-  const int title_end =
-      control_ && !control_->isHidden()
-          ? control_->geometry().right() + 12
-          : left + QFontMetrics(theme::titleFont()).horizontalAdvance(title_) + 12;
   int right = width() - 2 * kButton - 14;
-  const auto column = [&](const QString& text, const QString& widest, const QColor& colour) {
-    const int wide = metrics.horizontalAdvance(widest);
-    if (right - wide < title_end) return false;
+  const auto column = [&](const QString& text, int wide, const QColor& colour) {
     painter.setPen(colour);
     painter.drawText(QRect(right - wide, 0, wide, height()), Qt::AlignVCenter | Qt::AlignRight,
                      text);
-    right -= wide + 12;
-    return true;
+    right -= wide + kColumnGap;
   };
   if (!state_.ever) {
-    column(state_.rejection.empty() ? tr("no data") : tr("rejected"), tr("rejected"),
-           state_.rejection.empty() ? theme::kMuted : theme::kError);
+    const bool waiting = state_.rejection.empty();
+    column(waiting ? tr("no data") : tr("rejected"), metrics.horizontalAdvance(tr("rejected")),
+           waiting ? theme::kMuted : theme::kError);
     return;
   }
+  const int drops = metrics.horizontalAdvance(tr("000 dropped"));
+  const int age = metrics.horizontalAdvance(tr("age 00.0 s"));
+  const int rate = metrics.horizontalAdvance(tr("00.0 Hz"));
+  const int room = right - title_end - age - kDot;
+  const bool with_rate = room >= rate + kColumnGap;
+  const bool with_drops = room >= rate + drops + 2 * kColumnGap;
   const Freshness fresh = freshness(state_);
   const QColor colour = !state_.rejection.empty() || fresh == Freshness::kStale ? theme::kError
                         : fresh == Freshness::kLate                             ? theme::kWarning
                                                                                 : theme::kGood;
-  column(tr("%1 dropped").arg(countText(state_.drops)), tr("000 dropped"),
-         state_.drops > 0 ? theme::kText : theme::kMuted);
-  if (column(tr("age %1").arg(ageText(state_.age_s)), tr("age 00.0 s"), colour)) {
-    painter.setBrush(colour);
-    painter.setPen(Qt::NoPen);
-    painter.drawEllipse(QPointF(right + 2, height() * 0.5), 3.5, 3.5);
-    right -= 10;
+  if (with_drops) {
+    column(tr("%1 dropped").arg(countText(state_.drops)), drops,
+           state_.drops > 0 ? theme::kText : theme::kMuted);
   }
-  column(tr("%1 Hz").arg(state_.rate_hz, 0, 'f', 1), tr("00.0 Hz"), theme::kMuted);
+  column(tr("age %1").arg(ageText(state_.age_s)), age, colour);
+  painter.setBrush(colour);
+  painter.setPen(Qt::NoPen);
+  painter.drawEllipse(QPointF(right + 2, height() * 0.5), 3.5, 3.5);
+  right -= kDot;
+  if (with_rate) column(tr("%1 Hz").arg(state_.rate_hz, 0, 'f', 1), rate, theme::kMuted);
 }
 
 }  // namespace pilothouse::gui

@@ -4,6 +4,7 @@
 
 #include "gui/model/feed_meter.hpp"
 
+class QPainter;
 class QToolButton;
 
 namespace pilothouse::gui {
@@ -16,6 +17,8 @@ class HeaderStrip : public QWidget {
  public:
   explicit HeaderStrip(const QString& title, QWidget* parent = nullptr);
   void show(const FeedState& state);
+  /// For a panel that is not one stream of pictures.
+  void withoutFigures() { has_figures_ = false; }
   /// Places a control after the title; the strip owns it.
   void addControl(QWidget* control);
   QSize sizeHint() const override;
@@ -34,10 +37,12 @@ class HeaderStrip : public QWidget {
  private:
   QString title_;
   FeedState state_;
+  bool has_figures_ = true;
   QToolButton* close_;
   QToolButton* float_;
   QWidget* control_ = nullptr;
   void placeControl();
+  void paintFigures(QPainter& painter, int title_end) const;
 };
 
 }  // namespace pilothouse::gui

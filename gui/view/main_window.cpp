@@ -88,7 +88,9 @@ void MainWindow::resetLayout() {
           shown.entry.place == PanelPlace::kMain ? Qt::LeftDockWidgetArea : Qt::RightDockWidgetArea,
           shown.dock);
       columns << shown.dock;
-      widths << (shown.entry.place == PanelPlace::kMain ? 820 : 454);
+      // 454 of 1280: room for a 4:3 picture with its legend in half the height.
+      const int side_width = width() * 454 / 1280;
+      widths << (shown.entry.place == PanelPlace::kMain ? width() - side_width : side_width);
     } else if (shown.entry.place == PanelPlace::kMain) {
       tabifyDockWidget(last, shown.dock);
     } else {
@@ -96,7 +98,7 @@ void MainWindow::resetLayout() {
     }
     if (shown.entry.place == PanelPlace::kSide && shown.entry.shown) {
       rows << shown.dock;
-      heights << 300;
+      heights << height() / 2;
     }
     last = shown.dock;
     shown.dock->setVisible(shown.entry.shown);
@@ -111,8 +113,9 @@ void MainWindow::buildMenus() {
   quit->setShortcut(QKeySequence("Ctrl+Q"));
 
   auto* view = menuBar()->addMenu(tr("&View"));
-  int number = 1;
+  int number = 0;  // a panel that cannot be had keeps its number: keys never move
   for (const auto& shown : panels_) {
+    ++number;
     if (!shown.dock) {
       auto* missing =
           view->addAction(tr("%1 (%2)").arg(shown.entry.title, shown.entry.hindrance()));
@@ -120,7 +123,10 @@ void MainWindow::buildMenus() {
       continue;
     }
     auto* toggle = shown.dock->toggleViewAction();
-    toggle->setShortcut(QKeySequence(QString("Ctrl+%1").arg(number++)));
+    toggle->setShortcut(QKeySequence(QString("Ctrl+%1").arg(number)));
+    connect(toggle, &QAction::triggered, shown.dock, [dock = shown.dock](bool on) {
+      if (on) dock->raise();  // in front of those that share its place
+    });
     view->addAction(toggle);
   }
   view->addSeparator();

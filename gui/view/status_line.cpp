@@ -106,8 +106,11 @@ void StatusLine::paintEvent(QPaintEvent*) {
     painter.drawLine(QPointF(right, 9), QPointF(right, height() - 9));
     right -= 12;
   };
-  item(link_, linked_ ? theme::kText : theme::kWarning, linked_ ? theme::kGood : theme::kWarning);
-  item(clock_, theme::kMuted, {});
+  // Where the line is short the sentence matters more.
+  const bool roomy = width() >= 900;
+  item(roomy || !linked_ ? link_ : tr("connected"), linked_ ? theme::kText : theme::kWarning,
+       linked_ ? theme::kGood : theme::kWarning);
+  if (roomy) item(clock_, theme::kMuted, {});
   item(robot_, theme::kText, {});
 
   const QColor colour = colourOf(severity_);

@@ -1,0 +1,101 @@
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QGuiApplication>
+#include <QLibrary>
+#include <QPainter>
+#include <QVBoxLayout>
+
+#include "gui/view/header_strip.hpp"
+#include "gui/view/overlay.hpp"
+#include "gui/view/panel_registry.hpp"
+#include "gui/view/theme.hpp"
+
+namespace pilothouse::gui {
+
+namespace {
+
+QString pluginFile() {
+  return QFileInfo(QCoreApplication::applicationDirPath() + "/../libpilothouse_rviz_panel.so")
+      .absoluteFilePath();
+}
+
+QString hindrance() {
+  if (!QFileInfo(pluginFile()).isFile()) return QObject::tr("built without rviz");
+  if (QGuiApplication::platformName() != "xcb") return QObject::tr("rviz needs X11");
+  return {};
+}
+
+/// The floor and obstacle points in 3D, drawn by librviz, which is loaded when the panel is first
+/// shown and a master answers.
+class ScenePanel : public Panel {
+ public:
+  explicit ScenePanel(const PanelContext& panel_context)
+      : Panel(panel_context),
+        library_(pluginFile()),
+        layout_(new QVBoxLayout(this)),
+        strip_(new HeaderStrip(tr("3D view"))) {
+    strip_->withoutFigures();
+    layout_->setContentsMargins(0, 0, 0, 0);
+    setMinimumSize(160, 100);
+  }
+  ~ScenePanel() override { delete scene_; }
+
+  void refreshPicture(double) override {}
+
+  void refreshNumbers(double) override {
+    const LinkStatus link = context().state.link.get();
+    const bool connected = link.phase == LinkPhase::kConnected;
+    // librviz does not subscribe anew at another master: make it again.
+    if (scene_ && (!connected || link.since != made_since_)) {
+      delete scene_;
+      scene_ = nullptr;
+    }
+    if (!scene_ && connected && isVisible() && fault_.isEmpty()) make(link);
+    update();
+  }
+
+  QWidget* titleStrip() override { return strip_; }
+  bool complete() const override { return scene_ != nullptr || !fault_.isEmpty(); }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QPainter painter(this);
+    painter.fillRect(rect(), theme::kPanel);
+    if (!fault_.isEmpty()) {
+      paintEmpty(painter, rect(), {tr("rviz cannot be loaded"), fault_});
+    } else if (!scene_) {
+      paintEmpty(painter, rect(),
+                 waitingFor(context().state, tr("The 3D view"), {"floor_points"}, {}, {}));
+    }
+  }
+
+ private:
+  void make(const LinkStatus& link) {
+    using Make = QWidget* (*)(const char*);
+    const auto make_scene = reinterpret_cast<Make>(library_.resolve("pilothouseMakeScene"));
+    if (!make_scene) {
+      fault_ = library_.errorString();
+      return;
+    }
+    const auto floor = context().state.floor.latest();
+    scene_ = make_scene(floor && !floor->frame.empty() ? floor->frame.c_str() : "base_link");
+    made_since_ = link.since;
+    layout_->addWidget(scene_);
+  }
+
+  QLibrary library_;
+  QVBoxLayout* layout_;
+  HeaderStrip* strip_;
+  QWidget* scene_ = nullptr;
+  double made_since_ = 0.0;
+  QString fault_;
+};
+
+const PanelRegistration kRegistration({"scene", QObject::tr("3D view"), PanelPlace::kMain, 20,
+                                       false,
+                                       [](const PanelContext& c) { return new ScenePanel(c); },
+                                       hindrance});
+
+}  // namespace
+
+}  // namespace pilothouse::gui
