@@ -70,19 +70,17 @@ void FloorPublisher::reconfigure(FloorConfig& config) {
 }
 
 void FloorPublisher::noticeTime(const ros::Time& stamp) {
-  const ros::Time now = ros::Time::now();
-  health_.stamped(now - stamp);
-  const ros::Duration jitter(kJitter);
-  if (stamp + jitter < newest_stamp_ || now + jitter < newest_now_) {
+  health_.stamped(ros::Time::now() - stamp);
+  // By the stamps alone: the clock of a bag that starts again may jump before or after its first
+  // picture, and what is remembered here comes from pictures.
+  if (stamp + ros::Duration(kJitter) < newest_stamp_) {
     ROS_WARN("%s: time jumped back, starting afresh", private_handle_.getNamespace().c_str());
     mounting_.reset();
     segmenter_.reset();
     health_.timeJumped();
     newest_stamp_ = stamp;
-    newest_now_ = now;
   }
   newest_stamp_ = std::max(newest_stamp_, stamp);
-  newest_now_ = std::max(newest_now_, now);
 }
 
 void FloorPublisher::reject(const std::string& kind, const std::string& reason) {

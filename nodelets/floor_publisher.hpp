@@ -62,7 +62,7 @@ class FloorPublisher {
   CameraMounting mounting_;
   tf2_ros::TransformBroadcaster broadcaster_;
   FloorSegmenter segmenter_;
-  ros::Time newest_stamp_, newest_now_;
+  ros::Time newest_stamp_;
   std::unique_ptr<dynamic_reconfigure::Server<FloorConfig>> server_;
   std::unique_ptr<diagnostic_updater::Updater> diagnostics_;
   ros::WallTimer diagnostics_timer_;
