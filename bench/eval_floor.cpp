@@ -187,7 +187,7 @@ int run(const EvalOptions& options) {
                totals[1].worst_height * 1000.0);
   if (!options.out.empty()) drawFigures(results, options);
   summary.truth("pass", pass).whole("runs", options.runs);
-  summary.whole("seed", static_cast<long long>(options.seed));
+  summary.whole("seed", options.seed);
   for (const bool calibrating : {false, true}) {
     summary.object(nameOfPass(calibrating), passes[calibrating ? 1 : 0]);
   }

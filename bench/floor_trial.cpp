@@ -75,19 +75,12 @@ FloorParameters parametersFor(FloorMethod method, bool calibrating) {
   return parameters;
 }
 
-/// What the segmenter found about its mounting, where it can tell.
-template <class Segmenter>
-auto faultOf(const Segmenter& segmenter, const sim::Mounting& truth, int)
-    -> decltype(segmenter.mounting(), std::optional<MountingFault>()) {
-  const auto& found = segmenter.mounting();
+/// How well the segmenter found its mounting, where it did.
+std::optional<MountingFault> faultOf(const MountingEstimate& found, const sim::Mounting& truth) {
   if (!found.valid) return std::nullopt;
-  return MountingFault{
-      std::max(std::abs(found.pitch - truth.pitch), std::abs(found.roll - truth.roll)) / kDegree,
-      std::abs(found.height - truth.height)};
-}
-template <class Segmenter>
-std::optional<MountingFault> faultOf(const Segmenter&, const sim::Mounting&, long) {
-  return std::nullopt;
+  const double angle =
+      std::max(std::abs(found.pitch - truth.pitch), std::abs(found.roll - truth.roll));
+  return MountingFault{angle / kDegree, std::abs(found.height - truth.height)};
 }
 
 Share agreement(const std::vector<CellClass>& a, const std::vector<CellClass>& b) {
@@ -151,7 +144,7 @@ FloorResult runTrial(const FloorTask& task, std::uint64_t seed, bool keep_pictur
   result.original = score(truth, original_grid.classes, rule.geometry);
   result.improved = score(truth, improved_grid.classes, rule.geometry);
   if (task.calibrating) {
-    result.mounting = faultOf(improved, truth_mounting, 0);
+    result.mounting = faultOf(improved.mounting(), truth_mounting);
   } else {
     const std::vector<float> cloud = cloudOf(image, camera);
     result.doors_agree = agreement(improved_grid.classes,

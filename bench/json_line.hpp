@@ -12,7 +12,8 @@ class JsonLine {
   JsonLine& text(const std::string& key, const std::string& value) {
     return raw(key, quoted(value));
   }
-  JsonLine& whole(const std::string& key, long long value) {
+  template <class Integer>
+  JsonLine& whole(const std::string& key, Integer value) {
     return raw(key, std::to_string(value));
   }
   JsonLine& truth(const std::string& key, bool value) { return raw(key, value ? "true" : "false"); }
