@@ -15,10 +15,10 @@ namespace pilothouse::gui {
 
 namespace {
 
-// Age of a message on arrival; 0 when its stamp belongs to another clock (a bag of last year).
+// Age of a message on arrival; 0 when its stamp belongs to another clock (a bag of last year, a
+// simulation). Never by ROS time: roscpp's /clock stands still after the master was replaced.
 double latencyOf(const ros::Time& stamp) {
-  if (stamp.isZero() || !ros::Time::isValid()) return 0.0;
-  const double latency = (ros::Time::now() - stamp).toSec();
+  const double latency = ros::WallTime::now().toSec() - stamp.toSec();
   return latency > 0.0 && latency < 10.0 ? latency : 0.0;
 }
 

@@ -12,6 +12,7 @@
 
 #include <QTimerEvent>
 #include <QVBoxLayout>
+#include <memory>
 
 #include "gui/rviz/thinned_cloud.hpp"
 
@@ -21,10 +22,7 @@ namespace {
 
 class SceneView : public QWidget {
  public:
-  explicit SceneView(const QString& frame)
-      : floor_("floor_points", "console_scene/floor"),
-        obstacles_("obstacle_points", "console_scene/obstacles"),
-        panel_(new rviz::RenderPanel(this)) {
+  explicit SceneView(const QString& frame) : panel_(new rviz::RenderPanel(this)) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(panel_);
@@ -37,15 +35,26 @@ class SceneView : public QWidget {
         ->subProp("Global Options")
         ->subProp("Background Color")
         ->setValue(QColor(0x12, 0x15, 0x19));
-    auto* grid = manager_->createDisplay("rviz/Grid", "grid", true);
-    grid->subProp("Color")->setValue(QColor(60, 68, 80));
-    addCloud("floor", floor_.topic(), QColor(0x3f, 0x86, 0xb0));
-    addCloud("obstacles", obstacles_.topic(), QColor(0xe0, 0x62, 0x14));
+    connectAnew();
   }
   ~SceneView() override {
     manager_->stopUpdate();
     manager_->removeAllDisplays();
     delete manager_;
+  }
+
+  /// All that knows the master, made again: for a new master. A second RenderPanel in one process
+  /// aborts inside Ogre, so the panel itself stays.
+  void connectAnew() {
+    manager_->removeAllDisplays();
+    floor_.reset();
+    obstacles_.reset();
+    floor_ = std::make_unique<ThinnedCloud>("floor_points", "console_scene/floor");
+    obstacles_ = std::make_unique<ThinnedCloud>("obstacle_points", "console_scene/obstacles");
+    auto* grid = manager_->createDisplay("rviz/Grid", "grid", true);
+    grid->subProp("Color")->setValue(QColor(60, 68, 80));
+    addCloud("floor", floor_->topic(), QColor(0x3f, 0x86, 0xb0));
+    addCloud("obstacles", obstacles_->topic(), QColor(0xe0, 0x62, 0x14));
   }
 
   /// The view from behind and above. librviz shows nothing when it is set before the first frame.
@@ -78,7 +87,7 @@ class SceneView : public QWidget {
     cloud->subProp("Selectable")->setValue(false);
   }
 
-  ThinnedCloud floor_, obstacles_;
+  std::unique_ptr<ThinnedCloud> floor_, obstacles_;
   rviz::RenderPanel* panel_;
   rviz::VisualizationManager* manager_;
 };
@@ -90,4 +99,9 @@ class SceneView : public QWidget {
 /// Made by the console through QLibrary. @param frame the fixed frame. The caller owns the widget.
 extern "C" Q_DECL_EXPORT QWidget* pilothouseMakeScene(const char* frame) {
   return new pilothouse::gui::SceneView(QString::fromUtf8(frame));
+}
+
+/// @param scene made by pilothouseMakeScene; the master is another than before.
+extern "C" Q_DECL_EXPORT void pilothouseConnectSceneAnew(QWidget* scene) {
+  static_cast<pilothouse::gui::SceneView*>(scene)->connectAnew();
 }

@@ -33,7 +33,9 @@ MainWindow::MainWindow(const PanelContext& context, bool remember)
       numbers_(new QTimer(this)) {
   setWindowTitle(tr("Pilothouse - %1").arg(QString::fromStdString(context.robot.title)));
   setDockOptions(AllowNestedDocks | AllowTabbedDocks | AnimatedDocks);
-  resize(QSize(1280, 720).boundedTo(QGuiApplication::primaryScreen()->availableSize()));
+  // A screenshot has the same size on every screen; the operator's window must fit theirs.
+  const QSize usual(1280, 720);
+  resize(remember ? usual.boundedTo(QGuiApplication::primaryScreen()->availableSize()) : usual);
   for (const auto& entry : panelRegistry()) addPanel(entry);
   auto* bar = new QStatusBar;
   bar->setSizeGripEnabled(false);

@@ -45,12 +45,18 @@ class ScenePanel : public Panel {
   void refreshNumbers(double) override {
     const LinkStatus link = context().state.link.get();
     const bool connected = link.phase == LinkPhase::kConnected;
-    // librviz does not subscribe anew at another master: make it again.
-    if (scene_ && (!connected || link.since != made_since_)) {
-      delete scene_;
-      scene_ = nullptr;
+    if (scene_) {
+      // librviz does not subscribe anew at another master by itself.
+      if (connected && link.since != made_since_) {
+        using ConnectAnew = void (*)(QWidget*);
+        const auto anew = library_.resolve("pilothouseConnectSceneAnew");
+        if (anew) reinterpret_cast<ConnectAnew>(anew)(scene_);
+        made_since_ = link.since;
+      }
+      scene_->setVisible(connected);
+    } else if (connected && isVisible() && fault_.isEmpty()) {
+      make(link);
     }
-    if (!scene_ && connected && isVisible() && fault_.isEmpty()) make(link);
     update();
   }
 
@@ -63,7 +69,7 @@ class ScenePanel : public Panel {
     painter.fillRect(rect(), theme::kPanel);
     if (!fault_.isEmpty()) {
       paintEmpty(painter, rect(), {tr("rviz cannot be loaded"), fault_});
-    } else if (!scene_) {
+    } else if (!scene_ || !scene_->isVisible()) {
       paintEmpty(painter, rect(),
                  waitingFor(context().state, tr("The 3D view"), {"floor_points"}, {}, {}));
     }
