@@ -78,7 +78,8 @@ TEST(FloorSurface, CellsAddedLaterCountLikeThoseOfTheFirstFit) {
 TEST(FloorSurface, WithoutFloorIsLevelWithTheRobot) {
   FloorSurface surface;
   surface.configure(geometry());
-  surface.fit(std::vector<std::uint8_t>(geometry().cells(), 0), {});
+  surface.fit(std::vector<std::uint8_t>(geometry().cells(), 0),
+              std::vector<float>(geometry().cells(), std::nanf("")));
   EXPECT_EQ(surface.expected(30, 20), 0.0F);
 }
 

@@ -6,6 +6,19 @@
 
 namespace pilothouse {
 
+namespace {
+
+/// n sum(q^2) - sum(q)^2, n^2 times the variance: exact where it fits 64 bits, because the
+/// difference of two large numbers would lose what it is after.
+float spread(const CellMoments& m) {
+  constexpr std::uint32_t kExact = 1U << 20;  // points whose squares of 12 bits each fit
+  if (m.count <= kExact) return static_cast<float>(m.count * m.sum_square - m.sum * m.sum);
+  const double n = m.count, sum = static_cast<double>(m.sum);
+  return static_cast<float>(std::max(0.0, n * static_cast<double>(m.sum_square) - sum * sum));
+}
+
+}  // namespace
+
 void fillStatistics(const std::vector<CellMoments>& moments, const HeightScale& scale,
                     int min_points, FloorGrid& grid) {
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
@@ -18,11 +31,11 @@ void fillStatistics(const std::vector<CellMoments>& moments, const HeightScale& 
       grid.heights[i] = grid.deviations[i] = kNan;
       continue;
     }
-    const double inverse = 1.0 / m.count;
-    const double mean = static_cast<double>(m.sum) * inverse;
-    const double variance = static_cast<double>(m.sum_square) * inverse - mean * mean;
-    grid.heights[i] = scale.low + scale.step * static_cast<float>(mean);
-    grid.deviations[i] = scale.step * std::sqrt(std::max(0.0F, static_cast<float>(variance)));
+    const float inverse = 1.0F / static_cast<float>(m.count);
+    const float mean = static_cast<float>(m.sum) * inverse;
+    const float variance = spread(m) * inverse * inverse;
+    grid.heights[i] = scale.low + scale.step * mean;
+    grid.deviations[i] = scale.step * std::sqrt(variance);
     grid.classes[i] = CellClass::kFloor;
   }
 }

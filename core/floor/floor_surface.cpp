@@ -1,6 +1,7 @@
 #include "core/floor/floor_surface.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 namespace pilothouse {
 namespace {
@@ -11,6 +12,14 @@ constexpr double kFewestCells = 6;  // below, a fit says nothing
 // lie 10 cm apart.
 constexpr double kSlopePrior = 0.05;
 
+inline float masked(float value, std::uint32_t mask) {
+  std::uint32_t bits = 0;
+  std::memcpy(&bits, &value, sizeof bits);
+  bits &= mask;
+  std::memcpy(&value, &bits, sizeof value);
+  return value;
+}
+
 }  // namespace
 
 void FloorSurface::configure(const GridGeometry& geometry) {
@@ -20,35 +29,62 @@ void FloorSurface::configure(const GridGeometry& geometry) {
   const auto blocks = static_cast<std::size_t>(blocks_x_) * static_cast<std::size_t>(blocks_y_);
   sums_.assign(blocks, Sums::Zero());
   planes_.assign(blocks, LocalPlane{});
+  for (auto& sums : column_sums_) sums.assign(static_cast<std::size_t>(geometry.size_x), 0.0F);
   whole_ = FloorSlope{};
 }
 
 void FloorSurface::fit(const std::vector<std::uint8_t>& is_floor,
                        const std::vector<float>& heights) {
-  std::fill(sums_.begin(), sums_.end(), Sums::Zero());
-  for (int iy = 0; iy < geometry_.size_y; ++iy) {
-    const double y = geometry_.centreY(iy);
+  for (int by = 0; by < blocks_y_; ++by) {
+    for (auto& sums : column_sums_) std::fill(sums.begin(), sums.end(), 0.0F);
+    const int end = std::min((by + 1) * kBlock, geometry_.size_y);
+    for (int iy = by * kBlock; iy < end; ++iy) sumColumns(iy, is_floor, heights);
     for (int bx = 0; bx < blocks_x_; ++bx) {
-      Sums row = Sums::Zero();
-      const int end = std::min((bx + 1) * kBlock, geometry_.size_x);
-      double n = 0, sx = 0, sxx = 0, sh = 0, sxh = 0;
-      for (int ix = bx * kBlock; ix < end; ++ix) {
-        const std::size_t i = geometry_.index(ix, iy);
-        if (is_floor[i] == 0) continue;
-        const double x = geometry_.centreX(ix);
-        const double h = heights[i];
-        n += 1.0;
-        sx += x;
-        sxx += x * x;
-        sh += h;
-        sxh += x * h;
-      }
-      if (n == 0.0) continue;
-      row << n, sx, n * y, sxx, sx * y, n * y * y, sh, sxh, sh * y;
-      sums_[static_cast<std::size_t>((iy / kBlock) * blocks_x_ + bx)] += row;
+      sums_[static_cast<std::size_t>(by * blocks_x_ + bx)] = sumOfBlock(bx);
     }
   }
   refit();
+}
+
+/// Adds a row of cells to the sums of their columns: n, y, yy, h, yh. No branch, so that it becomes
+/// vector code.
+void FloorSurface::sumColumns(int iy, const std::vector<std::uint8_t>& is_floor,
+                              const std::vector<float>& heights) {
+  const std::size_t first = geometry_.index(0, iy);
+  const std::uint8_t* floor = is_floor.data() + first;
+  const float* height = heights.data() + first;
+  const float y = geometry_.centreY(iy);
+  float* n = column_sums_[0].data();
+  float* sy = column_sums_[1].data();
+  float* syy = column_sums_[2].data();
+  float* sh = column_sums_[3].data();
+  float* syh = column_sums_[4].data();
+#pragma GCC ivdep  // the arrays are apart, which bytes that may alias anything hide
+  for (int ix = 0; ix < geometry_.size_x; ++ix) {
+    // Where it is not floor the height may be NaN: its bits are cleared, not multiplied away.
+    const std::uint32_t mask = floor[ix] != 0 ? ~0U : 0U;
+    const float one = masked(1.0F, mask);
+    const float h = masked(height[ix], mask);
+    n[ix] += one;
+    sy[ix] += one * y;
+    syy[ix] += one * (y * y);
+    sh[ix] += h;
+    syh[ix] += h * y;
+  }
+}
+
+FloorSurface::Sums FloorSurface::sumOfBlock(int bx) const {
+  Sums sums = Sums::Zero();
+  const int end = std::min((bx + 1) * kBlock, geometry_.size_x);
+  for (int ix = bx * kBlock; ix < end; ++ix) {
+    const auto i = static_cast<std::size_t>(ix);
+    const double x = geometry_.centreX(ix);
+    const double n = column_sums_[0][i], sy = column_sums_[1][i], sh = column_sums_[3][i];
+    Sums column;
+    column << n, n * x, sy, n * x * x, sy * x, column_sums_[2][i], sh, sh * x, column_sums_[4][i];
+    sums += column;
+  }
+  return sums;
 }
 
 void FloorSurface::add(const std::uint32_t* cells, std::size_t count,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -22,7 +23,7 @@ class FloorSurface {
  public:
   void configure(const GridGeometry& geometry);
   /// Fits anew. @param is_floor one entry a cell, non-zero where the cell belongs to the floor;
-  /// @param heights [m], read only there.
+  /// @param heights one entry a cell [m], any value where it is no floor.
   void fit(const std::vector<std::uint8_t>& is_floor, const std::vector<float>& heights);
   /// Takes further floor cells in; they count from the next refit() on. @param cells `count`
   /// indices, none of them taken in before.
@@ -40,13 +41,17 @@ class FloorSurface {
     float height = 0.0F, slope_x = 0.0F, slope_y = 0.0F;
     bool solved = false;
   };
+  void sumColumns(int iy, const std::vector<std::uint8_t>& is_floor,
+                  const std::vector<float>& heights);
+  Sums sumOfBlock(int bx) const;
   static FloorSlope solve(const Sums& sums, const FloorSlope& prior);
   const LocalPlane& local(int bx, int by);
 
   GridGeometry geometry_;
   int blocks_x_ = 0, blocks_y_ = 0;
-  std::vector<Sums> sums_;
-  std::vector<LocalPlane> planes_;  // a block, solved when first asked for
+  std::array<std::vector<float>, 5> column_sums_;  // scratch of fit: of a block's columns
+  std::vector<Sums> sums_;                         // a block
+  std::vector<LocalPlane> planes_;                 // a block, solved when first asked for
   FloorSlope whole_;
 };
 
