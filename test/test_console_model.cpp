@@ -85,12 +85,22 @@ TEST(Feed, keepsTheNewestAndCountsWhatNobodyDrew) {
   feed.deliver(Result::of(std::make_shared<const int>(1)), 1.0, 0.0);
   feed.deliver(Result::of(std::make_shared<const int>(2)), 1.1, 0.0);
   EXPECT_EQ(feed.state(1.2).drops, 1U);
-  ASSERT_TRUE(feed.take());
-  EXPECT_FALSE(feed.take()) << "the same picture must not be drawn twice";
+  ASSERT_TRUE(feed.take(1.2));
+  EXPECT_FALSE(feed.take(1.3)) << "the same picture must not be drawn twice";
   EXPECT_EQ(*feed.latest(), 2);
   feed.deliver(Result::refused("bad"), 1.3, 0.0);
   EXPECT_EQ(feed.state(1.3).rejection, "bad");
   EXPECT_EQ(*feed.latest(), 2) << "a refused message leaves the last good picture";
+}
+
+TEST(Pace, drawsAJitteringCameraOf30HertzAndNoMore) {
+  Pace pace;
+  int drawn = 0;
+  for (int i = 0; i < 300; ++i) drawn += pace.due(100.0 + i / 30.0 + (i % 2) * 0.012) ? 1 : 0;
+  EXPECT_EQ(drawn, 300);
+  drawn = 0;
+  for (int i = 0; i < 1000; ++i) drawn += pace.due(200.0 + i / 100.0) ? 1 : 0;
+  EXPECT_NEAR(drawn, 303, 3) << "ten seconds of a camera of 100 Hz";
 }
 
 TEST(Mailbox, overwritesAndSaysSo) {

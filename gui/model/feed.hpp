@@ -8,6 +8,7 @@
 
 #include "core/cloud/checked.hpp"
 #include "gui/model/feed_meter.hpp"
+#include "gui/model/pace.hpp"
 
 namespace pilothouse::gui {
 
@@ -73,10 +74,13 @@ class Feed {
     const std::lock_guard<std::mutex> lock(mutex_);
     meter_.rejected(now, reason);
   }
-  /// The newest picture when it was not taken before, else null.
-  std::shared_ptr<const Picture> take() {
+  /// The newest picture when it was not taken before and is due, else null.
+  /// @param now steady time [s].
+  std::shared_ptr<const Picture> take(double now) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    return std::exchange(fresh_, false) ? newest_ : nullptr;
+    if (!fresh_ || !pace_.due(now)) return nullptr;
+    fresh_ = false;
+    return newest_;
   }
   std::shared_ptr<const Picture> latest() const {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -90,6 +94,7 @@ class Feed {
  private:
   mutable std::mutex mutex_;
   FeedMeter meter_;
+  Pace pace_;
   std::shared_ptr<const Picture> newest_;
   bool fresh_ = false;
 };

@@ -20,7 +20,7 @@
 namespace pilothouse::gui {
 
 namespace {
-constexpr int kPictureInterval = 33;  // ms: at most 30 fps
+constexpr int kPictureInterval = 12;  // ms between looks for new pictures; Pace bounds the drawing
 constexpr int kNumberInterval = 200;  // ms
 constexpr int kLayoutVersion = 1;     // raise when ids or places of panels change
 }  // namespace

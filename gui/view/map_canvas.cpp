@@ -36,8 +36,7 @@ void MapCanvas::setFloor(std::shared_ptr<const FloorPicture> floor) {
 }
 
 void MapCanvas::setObjects(std::shared_ptr<const ObjectsPicture> objects) {
-  objects_ = std::move(objects);
-  update();
+  objects_ = std::move(objects);  // drawn with the next grid: both come in pairs
 }
 
 void MapCanvas::setCamera(std::optional<CameraPose> pose, std::optional<double> half_angle) {

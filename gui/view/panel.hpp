@@ -28,7 +28,8 @@ class Panel : public QWidget {
   explicit Panel(PanelContext context, QWidget* parent = nullptr)
       : QWidget(parent), context_(context) {}
 
-  /// Takes the newest picture; called at most 30 times a second. @param now steady time [s].
+  /// Takes the newest picture if there is one that is due; called 80 times a second. @param now
+  /// steady time [s].
   virtual void refreshPicture(double now) = 0;
   /// Brings words and figures up to date; called 5 times a second.
   virtual void refreshNumbers(double now) = 0;

@@ -23,8 +23,8 @@ class ColourPanel : public Panel {
         [](QPoint pixel) { return tr("pixel %1, %2").arg(pixel.x()).arg(pixel.y()); });
   }
 
-  void refreshPicture(double) override {
-    if (const auto picture = context().state.colour.take()) canvas_->setPicture(picture->image);
+  void refreshPicture(double now) override {
+    if (const auto picture = context().state.colour.take(now)) canvas_->setPicture(picture->image);
   }
 
   void refreshNumbers(double now) override {

@@ -24,8 +24,8 @@ class DepthPanel : public Panel {
                        [this](QPainter& p, const QRectF& area) { legend(p, area); });
   }
 
-  void refreshPicture(double) override {
-    if (auto picture = context().state.depth.take()) {
+  void refreshPicture(double now) override {
+    if (auto picture = context().state.depth.take(now)) {
       picture_ = std::move(picture);
       canvas_->setPicture(picture_->image);
     }

@@ -36,9 +36,9 @@ class MapPanel : public Panel {
               [this] { switch_->toggleCalibration(); });
   }
 
-  void refreshPicture(double) override {
-    if (auto floor = context().state.floor.take()) canvas_->setFloor(std::move(floor));
-    if (auto objects = context().state.objects.take()) canvas_->setObjects(std::move(objects));
+  void refreshPicture(double now) override {
+    if (auto floor = context().state.floor.take(now)) canvas_->setFloor(std::move(floor));
+    if (auto objects = context().state.objects.take(now)) canvas_->setObjects(std::move(objects));
   }
 
   void refreshNumbers(double now) override {
