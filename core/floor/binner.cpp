@@ -25,6 +25,12 @@ BinningAxis fold(const Eigen::Isometry3f& T_base_sensor, int row, double shift, 
           static_cast<float>(scale * r[2]), static_cast<float>(scale * (r[3] + shift) + bias)};
 }
 
+bool isEmpty(const CellSlot& slot) {
+  std::uint64_t any = 0;
+  for (const std::uint64_t copy : slot.copies) any |= copy;
+  return any == 0;
+}
+
 CellMoments unpacked(const CellSlot& slot) {
   // The copies' squares would run into the steps when added in place: two accumulators.
   constexpr std::uint64_t kSquareMask = (std::uint64_t{1} << CellSlot::kStepBit) - 1;
@@ -109,6 +115,11 @@ void Binner::endFrame() {
     CellSlot* slot = &slots_[(iy + 1) * (columns + 2) + 1];
     CellMoments* cell = &moments_[iy * columns];
     for (std::size_t ix = 0; ix < columns; ++ix) {
+      // What the camera does not see is a large share of the cells, in long runs.
+      if (isEmpty(slot[ix])) {
+        cell[ix] = {};
+        continue;
+      }
       cell[ix] = unpacked(slot[ix]);
       slot[ix] = {};
     }
@@ -173,11 +184,11 @@ void Binner::setColumnTerms(const DepthView& depth) {
       (depth.encoding() == DepthEncoding::kMillimetres16 ? 0.001 : 1.0) / depth.intrinsics().fx;
   const BinningAxis* axes[3] = {&plan_.column, &plan_.row, &plan_.step};
   for (int axis = 0; axis < 3; ++axis) {
-    column_terms_[axis].resize(paddedWidth(depth.width()));
+    column_terms_[axis].resize(paddedWidth(depth.width()) / std::size(TermBlock{}.terms));
+    float* terms = column_terms_[axis].data()->terms;
     const double slope = per_pixel * static_cast<double>(axes[axis]->x);
-    for (std::size_t u = 0; u < column_terms_[axis].size(); ++u) {
-      column_terms_[axis][u] =
-          static_cast<float>(slope * (static_cast<double>(u) - depth.intrinsics().cx));
+    for (std::size_t u = 0; u < depth.width(); ++u) {
+      terms[u] = static_cast<float>(slope * (static_cast<double>(u) - depth.intrinsics().cx));
     }
   }
 }
@@ -193,7 +204,7 @@ const std::vector<CellMoments>& Binner::bin(const DepthView& depth,
   row.millimetres16 = depth.encoding() == DepthEncoding::kMillimetres16;
   const double unit = row.millimetres16 ? 0.001 : 1.0;
   const BinningAxis* axes[3] = {&plan_.column, &plan_.row, &plan_.step};
-  for (int axis = 0; axis < 3; ++axis) row.column_terms[axis] = column_terms_[axis].data();
+  for (int axis = 0; axis < 3; ++axis) row.column_terms[axis] = column_terms_[axis].data()->terms;
   for (std::uint32_t v = 0; v < depth.height(); ++v) {
     row.pixels = depth.row(v);
     const double y = (static_cast<double>(v) - k.cy) / k.fy;

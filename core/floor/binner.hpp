@@ -62,7 +62,11 @@ class Binner {
   std::vector<CellSlot> slots_;
   std::vector<CellMoments> spilled_;
   BinningSums sums_{};
-  std::vector<float> column_terms_[3];  ///< grid coordinates a unit of depth, for each image column
+  /// Whole vectors, so that no load straddles two cache lines.
+  struct alignas(64) TermBlock {
+    float terms[16];
+  };
+  std::vector<TermBlock> column_terms_[3];  ///< grid coordinates a unit of depth, a column each
 };
 
 }  // namespace pilothouse

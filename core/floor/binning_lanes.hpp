@@ -34,24 +34,24 @@ class LaneBinner {
         slots_(reinterpret_cast<std::uint64_t*>(sums.slots)),
         sums_(sums) {}
 
-  void addCloud(const CloudSpan& span) const {
-    std::size_t done = 0;
+  void addCloud(CloudSpan span) const {
     if (span.y_offset == span.x_offset + 4 && span.z_offset == span.x_offset + 8) {
+      addTiles(takeFirst(span, pointsBeforeAlignment(span)));
       // x y z and the four bytes behind come in one load. For the last point those may be behind
       // the cloud's end: it goes with the rest.
       const bool inside = span.x_offset + 16 <= span.stride;
       const std::size_t loadable = inside || span.points == 0 ? span.points : span.points - 1;
-      done = loadable / kWidth * kWidth;
-      const std::uint8_t* first = span.first + span.x_offset;
+      const CloudSpan whole = takeFirst(span, loadable / kWidth * kWidth);
+      const std::uint8_t* first = whole.first + whole.x_offset;
       if (span.stride == 16) {
-        addAdjacent<16>(first, done, 16);
+        addAdjacent<16>(first, whole.points, 16);
       } else if (span.stride == 32) {
-        addAdjacent<32>(first, done, 32);
+        addAdjacent<32>(first, whole.points, 32);
       } else {
-        addAdjacent<0>(first, done, span.stride);
+        addAdjacent<0>(first, whole.points, span.stride);
       }
     }
-    addTiles(span, done);
+    addTiles(span);
   }
 
   void addDepth(const DepthRow& row) const {
@@ -85,6 +85,21 @@ class LaneBinner {
     Float x, y, z, offset;
   };
 
+  static CloudSpan takeFirst(CloudSpan& span, std::size_t count) {
+    CloudSpan taken = span;
+    taken.points = count;
+    span.first += count * span.stride;
+    span.points -= count;
+    return taken;
+  }
+
+  /// Allocators align to 16 bytes, so that every other load of two points would straddle two cache
+  /// lines.
+  static std::size_t pointsBeforeAlignment(const CloudSpan& span) {
+    const std::size_t behind = reinterpret_cast<std::uintptr_t>(span.first + span.x_offset) % 32;
+    return span.stride == 16 && behind == 16 && span.points > 0 ? 1 : 0;
+  }
+
   /// @tparam kStride the stride when it is known beforehand, else 0.
   template <std::size_t kStride>
   PILOTHOUSE_INLINE void addAdjacent(const std::uint8_t* first, std::size_t points,
@@ -106,11 +121,11 @@ class LaneBinner {
 
   /// Any other layout, and the points left over: through a small tile of coordinates. A whole tile
   /// at a time, because a vector load right behind the scalar stores it covers would stall.
-  void addTiles(const CloudSpan& span, std::size_t begin) const {
+  void addTiles(const CloudSpan& span) const {
     constexpr std::size_t kTile = 64;
     alignas(32) float tile[3][kTile];
     const std::size_t offsets[3] = {span.x_offset, span.y_offset, span.z_offset};
-    for (std::size_t i = begin; i < span.points; i += kTile) {
+    for (std::size_t i = 0; i < span.points; i += kTile) {
       const std::size_t count = span.points - i < kTile ? span.points - i : kTile;
       const std::size_t padded = (count + kWidth - 1) / kWidth * kWidth;
       for (int axis = 0; axis < 3; ++axis) {
