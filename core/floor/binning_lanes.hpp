@@ -34,7 +34,7 @@ class LaneBinner {
         slots_(reinterpret_cast<std::uint64_t*>(sums.slots)),
         sums_(sums) {}
 
-  void addCloud(CloudSpan span) const {
+  void addCloud(CloudSpan span) {
     if (span.y_offset == span.x_offset + 4 && span.z_offset == span.x_offset + 8) {
       addTiles(takeFirst(span, pointsBeforeAlignment(span)));
       // x y z and the four bytes behind come in one load. For the last point those may be behind
@@ -52,14 +52,16 @@ class LaneBinner {
       }
     }
     addTiles(span);
+    finish();
   }
 
-  void addDepth(const DepthRow& row) const {
+  void addDepth(const DepthRow& row) {
     if (row.millimetres16) {
       addPixels<std::uint16_t>(row);
     } else {
       addPixels<float>(row);
     }
+    finish();
   }
 
  private:
@@ -72,6 +74,14 @@ class LaneBinner {
     asm("" : "+r"(value));
     return value;
   }
+
+  /// The sums of one vector on their way to the slots. They go through memory: scalar loads are
+  /// cheaper than extractions, and the additions then use none of the vector units.
+  struct Pending {
+    alignas(32) std::uint32_t at[kWidth];  ///< slot * kCopies
+    alignas(32) std::uint64_t value[kWidth];
+    std::size_t first_copy;
+  };
 
   struct Axis {
     explicit Axis(const BinningAxis& axis)
@@ -103,7 +113,7 @@ class LaneBinner {
   /// @tparam kStride the stride when it is known beforehand, else 0.
   template <std::size_t kStride>
   PILOTHOUSE_INLINE void addAdjacent(const std::uint8_t* first, std::size_t points,
-                                     std::size_t any_stride) const {
+                                     std::size_t any_stride) {
     const std::size_t stride = kStride != 0 ? kStride : any_stride;
     // A cloud is larger than the near caches, and the additions below leave the processor no room
     // to look far enough ahead by itself. Prefetching behind the cloud's end does no harm.
@@ -121,7 +131,7 @@ class LaneBinner {
 
   /// Any other layout, and the points left over: through a small tile of coordinates. A whole tile
   /// at a time, because a vector load right behind the scalar stores it covers would stall.
-  void addTiles(const CloudSpan& span) const {
+  void addTiles(const CloudSpan& span) {
     constexpr std::size_t kTile = 64;
     alignas(32) float tile[3][kTile];
     const std::size_t offsets[3] = {span.x_offset, span.y_offset, span.z_offset};
@@ -142,7 +152,7 @@ class LaneBinner {
   }
 
   template <class Pixel>
-  PILOTHOUSE_INLINE void addPixels(const DepthRow& row) const {
+  PILOTHOUSE_INLINE void addPixels(const DepthRow& row) {
     const Float v_column = Lanes::all(row.row_terms[0]);
     const Float v_row = Lanes::all(row.row_terms[1]);
     const Float v_step = Lanes::all(row.row_terms[2]);
@@ -170,14 +180,13 @@ class LaneBinner {
     }
   }
 
-  PILOTHOUSE_INLINE void addPoints(Float x, Float y, Float z, std::size_t copy) const {
+  PILOTHOUSE_INLINE void addPoints(Float x, Float y, Float z, std::size_t copy) {
     const Float step = step_.of(x, y, z);
     add(column_.of(x, y, z), row_.of(x, y, z), step, Lanes::notAbove(step, step_limit_), copy);
   }
 
   /// @param copy multiple of kWidth that changes from vector to vector.
-  PILOTHOUSE_INLINE void add(Float column, Float row, Float step, Float keep,
-                             std::size_t copy) const {
+  PILOTHOUSE_INLINE void add(Float column, Float row, Float step, Float keep, std::size_t copy) {
     // NaN fails the comparison.
     keep = Lanes::both(keep, Lanes::below(column, column_limit_));
     // Rows of the picture above the horizon or beyond the range come in long runs.
@@ -188,25 +197,33 @@ class LaneBinner {
     const Int cells =
         Lanes::lesser16(Lanes::upperHalves(Lanes::cut(column), Lanes::cut(row)), size_limits_);
     const Int slot = Lanes::masked(Lanes::sumOfProducts16(cells, slot_weights_), keep);
-    // Slots and values go through memory: scalar loads are cheaper than extractions, and the
-    // additions then use none of the vector units, which are what this code runs short of.
-    alignas(32) std::uint32_t at[kWidth];
-    alignas(32) std::uint64_t value[kWidth];
-    Lanes::store(at, slot);
-    Lanes::storePacked(value, q, Lanes::either(q, one_point_));
-    asm("" : "+m"(at), "+m"(value));  // keeps the compiler from extracting after all
-    std::uint64_t* copies = slots_ + copy % CellSlot::kCopies;
+    // The vector before is added while this one's products are under way.
+    Pending& pending = pending_[turn_];
+    turn_ ^= 1;
+    Lanes::store(pending.at, slot);
+    Lanes::storePacked(pending.value, q, Lanes::either(q, one_point_));
+    pending.first_copy = copy % CellSlot::kCopies;
+    asm("" : "+m"(pending_));  // keeps the compiler from extracting lanes from registers after all
+    addToSlots(pending_[turn_]);
+  }
+
+  /// Adds what the last vector left.
+  void finish() { addToSlots(pending_[turn_ ^ 1]); }
+
+  PILOTHOUSE_INLINE void addToSlots(const Pending& pending) {
+    std::uint64_t* copies = slots_ + (kWidth < CellSlot::kCopies ? pending.first_copy : 0);
     std::uint64_t any_full = 0;
 #pragma GCC unroll 8
     for (std::size_t lane = 0; lane < kWidth; ++lane) {
       // storePacked puts the even lanes first.
       const std::size_t from = lane / 2 + lane % 2 * (kWidth / 2);
-      const std::uint64_t sum = copies[at[lane] + lane] + value[from];
-      copies[at[lane] + lane] = sum;
+      const std::uint64_t sum = copies[pending.at[lane] + lane] + pending.value[from];
+      copies[pending.at[lane] + lane] = sum;
       any_full |= sum;
     }
-    if (__builtin_expect(static_cast<std::int64_t>(any_full) < 0, 0))
-      spill(at, copies, slot_columns_, slot_rows_, sums_);
+    if (__builtin_expect(static_cast<std::int64_t>(any_full) < 0, 0)) {
+      spill(pending.at, copies, slot_columns_, slot_rows_, sums_);
+    }
   }
 
   /// Moves the full ones of the sums that a vector added to; a spare slot's are dropped.
@@ -233,6 +250,8 @@ class LaneBinner {
     moments.sum_square += sum % (std::uint64_t{1} << CellSlot::kStepBit);
   }
 
+  Pending pending_[2] = {};  // nothing for slot 0, which is spare
+  unsigned turn_ = 0;
   Axis column_, row_, step_;
   Float column_limit_, step_limit_;
   Int size_limits_, slot_weights_;
