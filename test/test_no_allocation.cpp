@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "core/floor/floor_segmenter.hpp"
+#include "core/floor/nearest_objects.hpp"
+#include "core/floor/virtual_scan.hpp"
 
 namespace {
 std::atomic<long> allocations{0};
@@ -144,6 +146,26 @@ TEST_P(NoAllocationTest, SegmentingAllocatesNothingAfterTheFirstFrames) {
     EXPECT_EQ(allocationsOf([&] { segmenter.segment(cloud_view, T_base_optical); }), 0);
     EXPECT_EQ(allocationsOf([&] { segmenter.segment(depth_view, T_base_optical); }), 0);
   }
+}
+
+TEST_F(NoAllocationTest, ListingObjectsAndScanningAllocateNothingAfterTheFirstFrames) {
+  FloorGrid grid;
+  grid.geometry = {0.2F, -2.5F, 0.05F, 76, 100};
+  NearestObjects nearest;
+  VirtualScan scan;
+  int frame = 0;
+  const auto work = [&] {  // ever more objects: room for all must be there from the beginning
+    for (std::size_t i = 0; i < grid.classes.size(); ++i) {
+      grid.classes[i] =
+          i % 10 < static_cast<std::size_t>(frame) ? CellClass::kObstacle : CellClass::kFloor;
+    }
+    ++frame;
+    nearest.find(grid);
+    scan.scan(grid);
+  };
+  grid.classes.assign(grid.geometry.cells(), CellClass::kFloor);
+  EXPECT_EQ(allocationsOf(work), 0);
+  EXPECT_FALSE(nearest.find(grid).empty());
 }
 
 TEST_F(NoAllocationTest, TheCounterCounts) {
