@@ -21,7 +21,7 @@ ThinnedCloud::ThinnedCloud(const std::string& from, const std::string& to) : spi
 void ThinnedCloud::receive(const sensor_msgs::PointCloud2ConstPtr& cloud) {
   std::vector<CloudField> fields;
   const auto view = CloudView::open(cloudBytes(*cloud, fields));
-  if (!view) return;  // the panels that show it as a picture say why
+  if (!view) return;  // nothing is drawn of what cannot be read
   const std::size_t step = view->points() / kMostPoints + 1;
   sensor_msgs::PointCloud2 thin;
   thin.header = cloud->header;
