@@ -70,10 +70,12 @@ void FloorPublisher::reconfigure(FloorConfig& config) {
 }
 
 void FloorPublisher::noticeTime(const ros::Time& stamp) {
-  health_.stamped(ros::Time::now() - stamp);
+  // In double: stamps are anyone's, and ros::Time and Duration throw where a sum or difference does
+  // not fit them.
+  health_.stamped(ros::Time::now().toSec() - stamp.toSec());
   // By the stamps alone: the clock of a bag that starts again may jump before or after its first
   // picture, and what is remembered here comes from pictures.
-  if (stamp + ros::Duration(kJitter) < newest_stamp_) {
+  if (stamp.toSec() + kJitter < newest_stamp_.toSec()) {
     ROS_WARN("%s: time jumped back, starting afresh", private_handle_.getNamespace().c_str());
     mounting_.reset();
     segmenter_.reset();

@@ -28,9 +28,9 @@ void InputHealth::arrived() {
   ++arrived_;
 }
 
-void InputHealth::stamped(const ros::Duration& age) {
+void InputHealth::stamped(double age) {
   std::lock_guard<std::mutex> lock(mutex_);
-  age_ = age.toSec();
+  age_ = age;
 }
 
 void InputHealth::accepted(Clock::duration processing) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <diagnostic_updater/DiagnosticStatusWrapper.h>
-#include <ros/duration.h>
 
 #include <array>
 #include <chrono>
@@ -24,8 +23,8 @@ class InputHealth {
   /// The input was subscribed to, or not any more (then the state is idle).
   void listening(bool on);
   void arrived();
-  /// @param age ROS time from the input's stamp to its arrival.
-  void stamped(const ros::Duration& age);
+  /// @param age ROS time from the input's stamp to its arrival [s].
+  void stamped(double age);
   void accepted(Clock::duration processing);
   /// @param kind one of a few words to count by; @param reason in full, for a human.
   void rejected(const std::string& kind, const std::string& reason);

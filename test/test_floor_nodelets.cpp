@@ -165,6 +165,21 @@ TEST_P(FloorNodelet, StartsAfreshWhenTimeJumpsBack) {
       << "what was learnt before the jump must be forgotten";
 }
 
+TEST_P(FloorNodelet, LivesThroughTheLatestStampThatAMessageCanCarry) {
+  ASSERT_TRUE(harness_.load());
+  Inbox<FloorGridMessage> grids(harness_.handle(), "floor_grid");
+  ASSERT_TRUE(harness_.waitForListener());
+  const auto judged = [&](double stamp) {
+    return spinUntil([&] {
+      harness_.show(scene_, stamp);
+      return !grids.all().empty() && grids.all().back()->header.stamp == ros::Time(stamp);
+    });
+  };
+  ASSERT_TRUE(judged(100.0));
+  EXPECT_TRUE(judged(4294967295.0));
+  EXPECT_TRUE(judged(101.0)) << "a clock that was wrong once must not stop the floor";
+}
+
 TEST_P(FloorNodelet, TheRobotsFileGoesBeforeDefaultsAndPrivateNamesBeforeIt) {
   harness_.set("robot/floor/range", 2.0);
   harness_.set("robot/floor/cell_size", 0.25);
