@@ -91,6 +91,16 @@ TEST(FloorSegmenter, FloorBehindABoxIsStillFloor) {
   EXPECT_TRUE(isDrivable(at(grid, 2.525F, 0.025F)));
 }
 
+TEST(FloorSegmenter, ABoxBehindTheShadowOfARampIsNotItsContinuation) {
+  sim::FloorScene scene = emptyFloor();
+  scene.solids.push_back(sim::makeRamp(placed(1.1, -0.1), 6.0 * 0.0174533, 0.18, 0.9));
+  scene.solids.push_back(
+      sim::makeBox(placed(2.9, 1.05), {0.4, 0.45, 0.18}, sim::Surface::kBox18cm));
+  const FloorGrid grid = judged(scene);
+  EXPECT_TRUE(isDrivable(at(grid, 2.9F, 0.0F)));  // the ramp's level end, as high as the box
+  EXPECT_EQ(at(grid, 2.9F, 1.05F), CellClass::kObstacle);
+}
+
 TEST(FloorSegmenter, WithoutFloorAtTheRobotNothingIsDrivable) {
   sim::FloorScene scene;
   scene.solids.push_back(sim::makeGround(-0.4, sim::Surface::kLowerLevel));

@@ -135,6 +135,21 @@ TEST(NearFloor, IsThePlaneAtTheRobotNotTheRampBeyond) {
   EXPECT_NEAR(plane->height, 0.004, 0.001);
 }
 
+TEST(NearFloor, ASillRightBeforeTheRobotDoesNotTiltIt) {
+  for (const float begin : {0.2F, 0.35F, 0.5F, 0.7F}) {
+    const FloorGrid grid = gridOf([&](float x, float y) {
+      const float floor = 0.005F - 0.02F * x + 0.01F * y;
+      return x > begin && x < begin + 0.15F ? floor + 0.02F : floor;
+    });
+    NearFloor near;
+    near.configure(grid.geometry);
+    const auto plane = near.fit(std::vector<std::uint8_t>(grid.classes.size(), 1), grid);
+    ASSERT_TRUE(plane);
+    EXPECT_NEAR(plane->slope_x, -0.02, 1e-3) << begin;
+    EXPECT_NEAR(plane->at(0.6, 0.0), 0.005 - 0.02 * 0.6, 1e-3) << begin;
+  }
+}
+
 TEST(NearFloor, NeedsSomeFloor) {
   const FloorGrid grid = gridOf([](float, float) { return 0.0F; });
   std::vector<std::uint8_t> is_floor(grid.classes.size(), 0);

@@ -45,7 +45,7 @@ std::optional<FloorSlope> ImprovedMethod::judge(const Eigen::Isometry3f& T_base_
     kinds_[static_cast<std::size_t>(robot)] = PatchKind::kFloor;
     const FloorPatch& patch = patches_.patches()[static_cast<std::size_t>(robot)];
     for (std::uint32_t k = 0; k < patch.size; ++k) floor_[patches_.cells()[patch.first + k]] = 1;
-    joinIslands(grid);
+    joinIslands(grid, T_base_camera.translation());
   }
   classify(grid);
   markHiddenByEdge(T_base_camera.translation(), grid);
@@ -129,28 +129,62 @@ float ImprovedMethod::patchOffset(const FloorPatch& patch, const FloorGrid& grid
   return *middle;
 }
 
-void ImprovedMethod::joinIslands(const FloorGrid& grid) {
-  const auto tolerance = static_cast<float>(parameters_.step_height);
-  const auto from_surface = [&](int ix, int iy) { return surface_.expected(ix, iy); };
+void ImprovedMethod::joinIslands(const FloorGrid& grid, const Eigen::Vector3f& camera) {
   const auto from_home = [&](int ix, int iy) {
     return static_cast<float>(home_->at(geometry_.centreX(ix), geometry_.centreY(iy)));
   };
+  const auto from_surface = [&](int ix, int iy) { return surface_.expected(ix, iy); };
   surface_.fit(floor_, grid.heights);
   home_ = near_floor_.fit(floor_, grid);
-  // Twice: what joins in the first round carries the surface on to what lies behind it.
+  // First what is level with the robot: it holds down the surface beside ramps.
+  if (home_) {
+    for (std::size_t number = 0; number < kinds_.size(); ++number) sort(number, grid, from_home);
+    takeIn(PatchKind::kJoining, grid);
+  }
+  // Then twice what continues the surface: what joins at first carries it on to what lies behind.
   for (int round = 0; round < 2; ++round) {
     for (std::size_t number = 0; number < kinds_.size(); ++number) {
-      if (kinds_[number] == PatchKind::kFloor) continue;
-      const FloorPatch& patch = patches_.patches()[number];
-      const float offset = patchOffset(patch, grid, from_surface);
-      const bool continues = std::abs(offset) <= tolerance ||
-                             (home_ && std::abs(patchOffset(patch, grid, from_home)) <= tolerance);
-      kinds_[number] = continues       ? PatchKind::kJoining
-                       : offset > 0.0F ? PatchKind::kAbove
-                                       : PatchKind::kBelow;
+      sort(number, grid, from_surface);
+      if (kinds_[number] == PatchKind::kJoining && isTop(number, camera, grid)) {
+        kinds_[number] = PatchKind::kAbove;
+      }
     }
     if (!takeIn(PatchKind::kJoining, grid)) return;
   }
+}
+
+/// Decides by the heights expected whether a patch that is not floor yet joins, lies above or
+/// below.
+template <class Expected>
+void ImprovedMethod::sort(std::size_t number, const FloorGrid& grid, Expected expected) {
+  if (kinds_[number] == PatchKind::kFloor) return;
+  const auto tolerance = static_cast<float>(parameters_.step_height);
+  const float offset = patchOffset(patches_.patches()[number], grid, expected);
+  kinds_[number] = std::abs(offset) <= tolerance ? PatchKind::kJoining
+                   : offset > 0.0F               ? PatchKind::kAbove
+                                                 : PatchKind::kBelow;
+}
+
+/// Whether the patch is the top of something: right before it, on the camera's side, stands a face.
+/// Floor that something hides begins behind a shadow instead.
+bool ImprovedMethod::isTop(std::size_t number, const Eigen::Vector3f& camera,
+                           const FloorGrid& grid) const {
+  const FloorPatch& patch = patches_.patches()[number];
+  int fronts = 0, faces = 0;
+  for (std::uint32_t k = 0; k < patch.size; ++k) {
+    const auto cell = static_cast<int>(patches_.cells()[patch.first + k]);
+    const int ix = cell % geometry_.size_x, iy = cell / geometry_.size_x;
+    const float dx = camera.x() - geometry_.centreX(ix), dy = camera.y() - geometry_.centreY(iy);
+    const float longest = std::max(std::abs(dx), std::abs(dy));
+    const int to_x = ix + static_cast<int>(std::lround(dx / longest));
+    const int to_y = iy + static_cast<int>(std::lround(dy / longest));
+    if (!geometry_.contains(to_x, to_y)) continue;
+    const std::size_t before = geometry_.index(to_x, to_y);
+    if (patches_.patchOf()[before] == static_cast<std::int32_t>(number)) continue;
+    ++fronts;
+    if (even_[before] == 0 && !std::isnan(grid.heights[before])) ++faces;
+  }
+  return 2 * faces > fronts;
 }
 
 /// Makes the patches of a kind floor; false where there are none.

@@ -38,7 +38,10 @@ class ImprovedMethod {
   void findEven(const FloorGrid& grid);
   int robotPatch(const FloorGrid& grid);
   bool hasEvenCell(int ix) const;
-  void joinIslands(const FloorGrid& grid);
+  void joinIslands(const FloorGrid& grid, const Eigen::Vector3f& camera);
+  template <class Expected>
+  void sort(std::size_t number, const FloorGrid& grid, Expected expected);
+  bool isTop(std::size_t number, const Eigen::Vector3f& camera, const FloorGrid& grid) const;
   bool takeIn(PatchKind kind, const FloorGrid& grid);
   template <class Expected>
   float patchOffset(const FloorPatch& patch, const FloorGrid& grid, Expected expected);

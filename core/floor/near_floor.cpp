@@ -8,18 +8,26 @@
 namespace pilothouse {
 namespace {
 
+// Bands of floor beyond the nearest cell from which a fit may start [m]: more than one, because a
+// sill or the foot of a ramp may lie in any. The start that most cells agree with wins.
+struct Band {
+  float begin, end;
+};
+constexpr std::array<Band, 4> kStarts = {
+    {{0.0F, 0.2F}, {0.0F, 0.4F}, {0.15F, 0.45F}, {0.3F, 0.8F}}};
+constexpr float kStartGate = 0.01F;   // residuals beyond weigh nothing in the second pass [m]
+constexpr float kAgreement = 0.004F;  // a cell agrees with a start this near to it [m]
+constexpr float kAgreementReach = 0.8F;
+
+// From there the fit grows outward; what leaves the plane falls out of the gate.
 struct Round {
   float reach;  // floor used beyond the nearest cell [m]
   float gate;   // residuals beyond weigh nothing [m]
 };
-constexpr std::array<Round, 7> kRounds = {{{0.4F, 1e3F},
-                                           {0.4F, 0.02F},
-                                           {0.4F, 0.01F},
-                                           {0.6F, 0.006F},
-                                           {0.9F, 0.004F},
-                                           {1.2F, 0.004F},
-                                           {1.2F, 0.004F}}};
+constexpr std::array<Round, 5> kRounds = {
+    {{0.4F, 0.008F}, {0.6F, 0.006F}, {0.9F, 0.004F}, {1.2F, 0.004F}, {1.2F, 0.004F}}};
 constexpr Eigen::Index kFewestCells = 60;
+constexpr float kNoGate = 1e3F;
 
 }  // namespace
 
@@ -49,41 +57,64 @@ void NearFloor::gather(const std::vector<std::uint8_t>& is_floor, const FloorGri
   }
 }
 
+/// Cells [first, last) lie in a band beyond the nearest.
+NearFloor::Range NearFloor::range(float begin, float end) const {
+  const float* x = x_.data();
+  const auto* first = std::lower_bound(x, x + count_, x_[0] + begin);
+  const auto* last = std::upper_bound(first, x + count_, x_[0] + end);
+  return {first - x, last - first};
+}
+
+/// One weighted least squares round (Tukey's biweight of the residual from `from` over the gate).
+std::optional<FloorSlope> NearFloor::solve(Range range, const FloorSlope& from, float gate) {
+  const auto x = x_.segment(range.first, range.count);
+  const auto y = y_.segment(range.first, range.count);
+  const auto h = height_.segment(range.first, range.count);
+  auto w = weight_.head(range.count);
+  w = (1.0F - (residuals(range, from) / gate).square()).max(0.0F).square();
+  if ((w > 0.0F).count() < kFewestCells) return std::nullopt;
+  Eigen::Matrix3d a;
+  a.col(0) = Eigen::Vector3d(w.sum(), (w * x).sum(), (w * y).sum());
+  a.row(0) = a.col(0).transpose();
+  a(1, 1) = (w * x * x).sum();
+  a(1, 2) = a(2, 1) = (w * x * y).sum();
+  a(2, 2) = (w * y * y).sum();
+  const Eigen::Vector3d b((w * h).sum(), (w * x * h).sum(), (w * y * h).sum());
+  const Eigen::Vector3d solution = a.ldlt().solve(b);
+  if (!solution.allFinite()) return std::nullopt;
+  return FloorSlope{solution[0], solution[1], solution[2]};
+}
+
+std::optional<FloorSlope> NearFloor::start() {
+  std::optional<FloorSlope> best;
+  Eigen::Index most = 0;
+  const Range all = range(0.0F, kAgreementReach);
+  for (const Band& band : kStarts) {
+    const Range some = range(band.begin, band.end);
+    auto plane = solve(some, FloorSlope{}, kNoGate);
+    if (plane) plane = solve(some, *plane, kStartGate);
+    if (!plane) continue;
+    const Eigen::Index agree = (residuals(all, *plane).abs() < kAgreement).count();
+    if (agree <= most) continue;
+    most = agree;
+    best = plane;
+  }
+  return best;
+}
+
 std::optional<FloorSlope> NearFloor::fit(const std::vector<std::uint8_t>& is_floor,
                                          const FloorGrid& grid) {
   gather(is_floor, grid);
   if (count_ < kFewestCells) return std::nullopt;
-  const float nearest = x_[0];
-  std::optional<FloorSlope> found;
-  FloorSlope plane;
+  std::optional<FloorSlope> plane = start();
   for (const Round& round : kRounds) {
-    const auto* end = std::upper_bound(x_.data(), x_.data() + count_, nearest + round.reach);
-    const auto n = static_cast<Eigen::Index>(end - x_.data());
-    const auto x = x_.head(n), y = y_.head(n), h = height_.head(n);
-    auto w = weight_.head(n);
-    const auto at_origin = static_cast<float>(plane.height);
-    const auto slope_x = static_cast<float>(plane.slope_x);
-    const auto slope_y = static_cast<float>(plane.slope_y);
-    // Tukey's biweight of the residual over the gate.
-    w = (1.0F - ((h - at_origin - slope_x * x - slope_y * y) / round.gate).square())
-            .max(0.0F)
-            .square();
+    if (!plane) break;
     // A floor too rough for the narrow gates keeps what the wide ones found.
-    if ((w > 0.0F).count() < kFewestCells) break;
-    const Eigen::Vector3d wxy(w.sum(), (w * x).sum(), (w * y).sum());
-    Eigen::Matrix3d a;
-    a.col(0) = wxy;
-    a.row(0) = wxy.transpose();
-    a(1, 1) = (w * x * x).sum();
-    a(1, 2) = a(2, 1) = (w * x * y).sum();
-    a(2, 2) = (w * y * y).sum();
-    const Eigen::Vector3d b((w * h).sum(), (w * x * h).sum(), (w * y * h).sum());
-    const Eigen::Vector3d solution = a.ldlt().solve(b);
-    if (!solution.allFinite()) break;
-    plane = FloorSlope{solution[0], solution[1], solution[2]};
-    found = plane;
+    const auto finer = solve(range(0.0F, round.reach), *plane, round.gate);
+    if (!finer) break;
+    plane = finer;
   }
-  return found;
+  return plane;
 }
 
 }  // namespace pilothouse

@@ -20,6 +20,17 @@ class NearFloor {
   std::optional<FloorSlope> fit(const std::vector<std::uint8_t>& is_floor, const FloorGrid& grid);
 
  private:
+  struct Range {
+    Eigen::Index first, count;  ///< of the listed cells
+  };
+  Range range(float begin, float end) const;
+  std::optional<FloorSlope> start();
+  std::optional<FloorSlope> solve(Range range, const FloorSlope& from, float gate);
+  auto residuals(Range range, const FloorSlope& plane) const {
+    return height_.segment(range.first, range.count) - static_cast<float>(plane.height) -
+           static_cast<float>(plane.slope_x) * x_.segment(range.first, range.count) -
+           static_cast<float>(plane.slope_y) * y_.segment(range.first, range.count);
+  }
   void gather(const std::vector<std::uint8_t>& is_floor, const FloorGrid& grid);
 
   Eigen::Index count_ = 0;                  // cells listed at the head of:
