@@ -59,11 +59,11 @@ int main(int argc, char** argv) {
   auto window_owner = std::make_unique<MainWindow>(context, !pictured);
   MainWindow& window = *window_owner;
   window.show();
+  std::signal(SIGINT, interrupt);
+  std::signal(SIGTERM, interrupt);
   link.start();
   if (pictured) takeScreenshot(window, options->screenshot, options->after_s);
 
-  std::signal(SIGINT, interrupt);
-  std::signal(SIGTERM, interrupt);
   QTimer watch;
   QObject::connect(&watch, &QTimer::timeout, [&] {
     if (interrupted) window.close();
