@@ -10,6 +10,7 @@
 #include "gui/model/class_colours.hpp"
 #include "gui/model/conversions.hpp"
 #include "gui/model/diagnostics_board.hpp"
+#include "gui/model/guarded_helper.hpp"
 #include "gui/model/robot_description.hpp"
 
 using namespace pilothouse;
@@ -291,6 +292,76 @@ TEST(Objects, badOnesAreRefused) {
   list.objects[0].kind = Object::DROP_OFF;
   list.objects[0].size = -1;
   EXPECT_FALSE(objectsFromMessage(list));
+}
+
+/// What arrives when roscpp hands the bytes of a message to the console's helper.
+template <class Message>
+struct Arrival {
+  boost::shared_ptr<const Message> message;
+  std::string refused;
+
+  explicit Arrival(std::vector<std::uint8_t> bytes) {
+    const auto options = guardedOptions<Message>(
+        "topic", 1, [](const ros::MessageEvent<const Message>&) {},
+        [this](const std::string& reason) { refused = reason; });
+    ros::SubscriptionCallbackHelperDeserializeParams params;
+    params.buffer = bytes.data();
+    params.length = static_cast<std::uint32_t>(bytes.size());
+    message = boost::static_pointer_cast<const Message>(options.helper->deserialize(params));
+  }
+};
+
+template <class Message>
+std::vector<std::uint8_t> serialised(const Message& message) {
+  std::vector<std::uint8_t> bytes(ros::serialization::serializationLength(message));
+  ros::serialization::OStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+  ros::serialization::serialize(stream, message);
+  return bytes;
+}
+
+/// @param from_end where in the bytes the length begins.
+std::vector<std::uint8_t> lying(std::vector<std::uint8_t> bytes, std::size_t from_end,
+                                std::uint32_t claim) {
+  std::memcpy(&bytes[bytes.size() - from_end], &claim, 4);
+  return bytes;
+}
+
+TEST(Guard, letsAGoodFloorGridThroughAndRefusesOneThatLies) {
+  const auto sent = gridMessage();
+  const auto bytes = serialised(sent);
+  const Arrival<FloorGridMessage> good(bytes);
+  EXPECT_EQ(good.refused, "");
+  ASSERT_TRUE(good.message);
+  EXPECT_EQ(good.message->classes, sent.classes);
+  EXPECT_EQ(good.message->method, sent.method);
+  // From the end: method 4 + 8, deviations 4 + 24, heights 4 + 24, classes 4 + 6.
+  const Arrival<FloorGridMessage> bad(lying(bytes, 78, 1500000000));
+  EXPECT_EQ(bad.refused, "length of FloorGrid classes is 1500000000, expected 0 to 74");
+  EXPECT_FALSE(bad.message);
+}
+
+TEST(Guard, letsAGoodObjectListThroughAndRefusesOneThatLies) {
+  ObjectList sent;
+  sent.source = "camera";
+  sent.objects.resize(2);
+  sent.objects[1].size = 0.05F;
+  const auto bytes = serialised(sent);
+  const Arrival<ObjectList> good(bytes);
+  EXPECT_EQ(good.refused, "");
+  ASSERT_TRUE(good.message);
+  ASSERT_EQ(good.message->objects.size(), 2U);
+  EXPECT_EQ(good.message->objects[1].size, 0.05F);
+  const Arrival<ObjectList> bad(lying(bytes, 40, 80000000));
+  EXPECT_EQ(bad.refused, "length of ObjectList objects is 80000000, expected 0 to 2");
+  EXPECT_FALSE(bad.message);
+}
+
+TEST(Guard, refusesACloudThatLies) {
+  const auto bytes = serialised(organisedCloud(8, 6));
+  EXPECT_TRUE(Arrival<sensor_msgs::PointCloud2>(bytes).message);
+  const Arrival<sensor_msgs::PointCloud2> bad(lying(bytes, 8 * 6 * 16 + 5, 0xffffffff));
+  EXPECT_EQ(bad.refused, "length of PointCloud2 data is 4294967295, expected 0 to 769");
+  EXPECT_FALSE(bad.message);
 }
 
 TEST(Diagnostics, complaintsComeAndGo) {

@@ -68,6 +68,39 @@ Bytes cameraInfo(std::uint32_t claimed_d = 5) {
       .bytes;
 }
 
+/// One length that a FloorGrid or ObjectList claims; the bytes after it stay those of the good one.
+struct Claims {
+  std::uint32_t frame = 6, classes = 2, heights = 2, deviations = 2, method = 8;
+  std::uint32_t source = 6, objects = 2;
+};
+Bytes floorGrid(const Claims& claims = {}) {
+  return Wire()
+      .zeros(12)
+      .u32(claims.frame)
+      .zeros(6)
+      .zeros(76)
+      .u32(claims.classes)
+      .zeros(2)
+      .u32(claims.heights)
+      .zeros(8)
+      .u32(claims.deviations)
+      .zeros(8)
+      .u32(claims.method)
+      .zeros(8)
+      .bytes;
+}
+Bytes objectList(const Claims& claims = {}) {
+  return Wire()
+      .zeros(12)
+      .u32(claims.frame)
+      .zeros(6)
+      .u32(claims.source)
+      .zeros(6)
+      .u32(claims.objects)
+      .zeros(36)
+      .bytes;
+}
+
 const std::vector<std::tuple<const char*, Bytes, Check>> kMessages{
     {"PointCloud2", cloud(), [](const Bytes& b) { return pointCloud2Fault(b.data(), b.size()); }},
     {"Image", image(), [](const Bytes& b) { return imageFault(b.data(), b.size()); }},
@@ -75,6 +108,9 @@ const std::vector<std::tuple<const char*, Bytes, Check>> kMessages{
      [](const Bytes& b) { return compressedImageFault(b.data(), b.size()); }},
     {"CameraInfo", cameraInfo(),
      [](const Bytes& b) { return cameraInfoFault(b.data(), b.size()); }},
+    {"FloorGrid", floorGrid(), [](const Bytes& b) { return floorGridFault(b.data(), b.size()); }},
+    {"ObjectList", objectList(),
+     [](const Bytes& b) { return objectListFault(b.data(), b.size()); }},
 };
 
 std::string reason(const std::optional<LengthFault>& fault) {
@@ -88,7 +124,8 @@ TEST(MessageBounds, AcceptsWhatIsWellFormed) {
 TEST(MessageBounds, RefusesEveryTruncation) {
   for (const auto& [name, bytes, check] : kMessages)
     for (std::size_t size = 0; size < bytes.size(); ++size) {
-      const Bytes cut(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size));
+      Bytes cut(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size));
+      cut.shrink_to_fit();  // so that a sanitizer sees a step beyond
       EXPECT_TRUE(check(cut)) << name << " cut to " << size;
     }
 }
@@ -130,6 +167,77 @@ TEST(MessageBounds, RefusesCoefficientsThatAreNotThere) {
   const Bytes bytes = cameraInfo(0x20000001U);  // times 8 is 8 in 32 bits
   EXPECT_EQ(reason(cameraInfoFault(bytes.data(), bytes.size())),
             "length of CameraInfo D is 536870913, expected 0 to 38");
+}
+
+TEST(MessageBounds, RefusesAnyLengthOfAFloorGridThatLies) {
+  const auto refusal = [](std::uint32_t Claims::*length, std::uint32_t value) {
+    Claims claims;
+    claims.*length = value;
+    const Bytes bytes = floorGrid(claims);
+    return reason(floorGridFault(bytes.data(), bytes.size()));
+  };
+  // Too long for the bytes, from the first byte too many to what overflows 32 bits.
+  EXPECT_EQ(refusal(&Claims::frame, 1500000000),
+            "length of frame_id is 1500000000, expected 0 to 124");
+  EXPECT_EQ(refusal(&Claims::classes, 1500000000),
+            "length of FloorGrid classes is 1500000000, expected 0 to 38");
+  EXPECT_EQ(refusal(&Claims::heights, 0x40000001U),
+            "length of FloorGrid heights is 1073741825, expected 0 to 8");
+  EXPECT_EQ(refusal(&Claims::deviations, 6),
+            "length of FloorGrid deviations is 6, expected 0 to 5");
+  EXPECT_EQ(refusal(&Claims::method, 9), "length of FloorGrid method is 9, expected 0 to 8");
+  // Too short: what follows is then read from the wrong place.
+  EXPECT_NE(refusal(&Claims::classes, 1), "");
+  EXPECT_NE(refusal(&Claims::heights, 1), "");
+  EXPECT_NE(refusal(&Claims::deviations, 0), "");
+  EXPECT_EQ(refusal(&Claims::method, 7), "length of bytes after the message is 1, expected 0 to 0");
+}
+
+TEST(MessageBounds, RefusesAnyLengthOfAnObjectListThatLies) {
+  const auto refusal = [](std::uint32_t Claims::*length, std::uint32_t value) {
+    Claims claims;
+    claims.*length = value;
+    const Bytes bytes = objectList(claims);
+    return reason(objectListFault(bytes.data(), bytes.size()));
+  };
+  EXPECT_EQ(refusal(&Claims::frame, 57), "length of frame_id is 57, expected 0 to 56");
+  EXPECT_EQ(refusal(&Claims::source, 47), "length of ObjectList source is 47, expected 0 to 46");
+  EXPECT_EQ(refusal(&Claims::objects, 0x0E38E38FU),  // times 18 is 14 in 32 bits
+            "length of ObjectList objects is 238609295, expected 0 to 2");
+  EXPECT_EQ(refusal(&Claims::objects, 3), "length of ObjectList objects is 3, expected 0 to 2");
+  EXPECT_EQ(refusal(&Claims::objects, 1),
+            "length of bytes after the message is 18, expected 0 to 0");
+}
+
+TEST(MessageBounds, RefusesMoreCellsOrObjectsThanAnyFloorHas) {
+  const auto grid = [](std::size_t cells) {
+    const auto count = static_cast<std::uint32_t>(cells);
+    const Bytes bytes = Wire()
+                            .header()
+                            .zeros(76)
+                            .u32(count)
+                            .zeros(cells)
+                            .u32(count)
+                            .zeros(4 * cells)
+                            .u32(count)
+                            .zeros(4 * cells)
+                            .text("original")
+                            .bytes;
+    return reason(floorGridFault(bytes.data(), bytes.size()));
+  };
+  EXPECT_EQ(grid(1000000), "");
+  EXPECT_EQ(grid(1000001), "length of FloorGrid classes is 1000001, expected 0 to 1000000");
+  const auto list = [](std::size_t objects) {
+    const Bytes bytes = Wire()
+                            .header()
+                            .text("camera")
+                            .u32(static_cast<std::uint32_t>(objects))
+                            .zeros(18 * objects)
+                            .bytes;
+    return reason(objectListFault(bytes.data(), bytes.size()));
+  };
+  EXPECT_EQ(list(1000000), "");
+  EXPECT_EQ(list(1000001), "length of ObjectList objects is 1000001, expected 0 to 1000000");
 }
 
 TEST(MessageBounds, RefusesALongName) {

@@ -117,4 +117,27 @@ std::optional<LengthFault> cameraInfoFault(const std::uint8_t* bytes, std::size_
   return walk.end();
 }
 
+std::optional<LengthFault> floorGridFault(const std::uint8_t* bytes, std::size_t size,
+                                          const MessageBounds& bounds) {
+  constexpr std::uint64_t kPose = 7 * 8;
+  WireWalk walk(bytes, size);
+  walk.header(bounds);
+  walk.skip(8 + 4 + 4 + 4 + kPose, "FloorGrid info");  // map_load_time, resolution, width, height
+  walk.array("FloorGrid classes", bounds.max_cells, 1);
+  walk.array("FloorGrid heights", bounds.max_cells, 4);
+  walk.array("FloorGrid deviations", bounds.max_cells, 4);
+  walk.array("FloorGrid method", bounds.max_text, 1);
+  return walk.end();
+}
+
+std::optional<LengthFault> objectListFault(const std::uint8_t* bytes, std::size_t size,
+                                           const MessageBounds& bounds) {
+  constexpr std::uint64_t kObject = 3 * 4 + 4 + 1 + 1;  // position, size, kind, nearest_in_row
+  WireWalk walk(bytes, size);
+  walk.header(bounds);
+  walk.array("ObjectList source", bounds.max_text, 1);
+  walk.array("ObjectList objects", bounds.max_objects, kObject);
+  return walk.end();
+}
+
 }  // namespace pilothouse

@@ -7,12 +7,14 @@
 
 namespace pilothouse {
 
-/// Largest lengths that a serialised sensor message may claim.
+/// Largest lengths that a serialised message may claim.
 struct MessageBounds {
   std::size_t max_text = 1024;                  ///< bytes of a frame, encoding or field name
   std::size_t max_fields = 64;                  ///< entries of a PointCloud2's field list
   std::size_t max_data = std::size_t{1} << 28;  ///< bytes of pixels or points
   std::size_t max_coefficients = 64;            ///< distortion coefficients of a CameraInfo
+  std::size_t max_cells = 1000000;              ///< entries of each of a FloorGrid's arrays
+  std::size_t max_objects = 1000000;            ///< entries of an ObjectList
 };
 
 /// A length in a serialised message that does not fit its bytes or its bounds.
@@ -30,7 +32,7 @@ std::string describe(const LengthFault& fault);
 /// when the message may be deserialised. Neither allocates nor reads outside [bytes, bytes + size).
 /// They exist because deserialisers allocate what a prefix claims before they look whether it can
 /// be true: 64 bytes that claim 40 million fields cost roscpp 1.8 GB. Sizes that contradict each
-/// other (width, steps, data) are the business of CloudView and DepthView.
+/// other (width, steps, data; a grid's cells) are the business of who reads the message.
 std::optional<LengthFault> pointCloud2Fault(const std::uint8_t* bytes, std::size_t size,
                                             const MessageBounds& bounds = {});
 std::optional<LengthFault> imageFault(const std::uint8_t* bytes, std::size_t size,
@@ -38,6 +40,10 @@ std::optional<LengthFault> imageFault(const std::uint8_t* bytes, std::size_t siz
 std::optional<LengthFault> compressedImageFault(const std::uint8_t* bytes, std::size_t size,
                                                 const MessageBounds& bounds = {});
 std::optional<LengthFault> cameraInfoFault(const std::uint8_t* bytes, std::size_t size,
+                                           const MessageBounds& bounds = {});
+std::optional<LengthFault> floorGridFault(const std::uint8_t* bytes, std::size_t size,
+                                          const MessageBounds& bounds = {});
+std::optional<LengthFault> objectListFault(const std::uint8_t* bytes, std::size_t size,
                                            const MessageBounds& bounds = {});
 
 }  // namespace pilothouse

@@ -1,17 +1,22 @@
 #pragma once
 
+#include <ros/subscribe_options.h>
 #include <ros/subscription_callback_helper.h>
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/CompressedImage.h>
 #include <sensor_msgs/Image.h>
 #include <sensor_msgs/PointCloud2.h>
 
+#include <boost/make_shared.hpp>
 #include <functional>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "core/cloud/message_bounds.hpp"
+#include "gui/model/floor_grid_message.hpp"
+#include "pilothouse/ObjectList.h"
 
 namespace pilothouse::gui {
 
@@ -26,6 +31,10 @@ std::optional<LengthFault> lengthFaultOf(const std::uint8_t* bytes, std::size_t 
     return compressedImageFault(bytes, size);
   } else if constexpr (std::is_same_v<Message, sensor_msgs::CameraInfo>) {
     return cameraInfoFault(bytes, size);
+  } else if constexpr (std::is_same_v<Message, FloorGridMessage>) {
+    return floorGridFault(bytes, size);
+  } else if constexpr (std::is_same_v<Message, ObjectList>) {
+    return objectListFault(bytes, size);
   } else {
     static_cast<void>(bytes);
     static_cast<void>(size);
@@ -57,5 +66,19 @@ class GuardedHelper
  private:
   std::function<void(const std::string&)> refused_;
 };
+
+/// What to give to ros::NodeHandle::subscribe for a topic that anyone may publish on. roscpp
+/// deserialises once for all subscribers of a topic in a process, by the helper of the first: each
+/// of them in the console must come through here.
+template <class Message>
+ros::SubscribeOptions guardedOptions(
+    const std::string& topic, std::uint32_t queue,
+    const boost::function<void(const ros::MessageEvent<const Message>&)>& receive,
+    const std::function<void(const std::string&)>& refused) {
+  ros::SubscribeOptions options(topic, queue, ros::message_traits::md5sum<Message>(),
+                                ros::message_traits::datatype<Message>());
+  options.helper = boost::make_shared<GuardedHelper<Message>>(receive, refused);
+  return options;
+}
 
 }  // namespace pilothouse::gui

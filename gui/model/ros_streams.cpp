@@ -4,7 +4,6 @@
 #include <ros/master.h>
 #include <ros/service.h>
 
-#include <boost/make_shared.hpp>
 #include <cmath>
 
 #include "gui/model/clock.hpp"
@@ -68,9 +67,7 @@ ros::Subscriber RosStreams::listen(
     const std::string& topic,
     const boost::function<void(const ros::MessageEvent<const Message>&)>& receive,
     const std::function<void(const std::string&)>& refused) {
-  ros::SubscribeOptions options(topic, 2, ros::message_traits::md5sum<Message>(),
-                                ros::message_traits::datatype<Message>());
-  options.helper = boost::make_shared<GuardedHelper<Message>>(receive, refused);
+  auto options = guardedOptions<Message>(topic, 2, receive, refused);
   options.transport_hints = ros::TransportHints().tcpNoDelay();
   return node_.subscribe(options);
 }

@@ -1,5 +1,6 @@
 #include "gui/rviz/thinned_cloud.hpp"
 
+#include <ros/console.h>
 #include <ros/this_node.h>
 
 #include <cstring>
@@ -7,6 +8,7 @@
 
 #include "core/cloud/cloud_view.hpp"
 #include "gui/model/cloud_bytes.hpp"
+#include "gui/model/guarded_helper.hpp"
 
 namespace pilothouse::gui {
 
@@ -14,7 +16,15 @@ ThinnedCloud::ThinnedCloud(const std::string& from, const std::string& to) : spi
   node_.setCallbackQueue(&queue_);
   // Below the node's own unique name, so that two consoles do not draw each other's clouds.
   publisher_ = node_.advertise<sensor_msgs::PointCloud2>(ros::this_node::getName() + "/" + to, 1);
-  subscriber_ = node_.subscribe(from, 1, &ThinnedCloud::receive, this);
+  using Cloud = sensor_msgs::PointCloud2;
+  const std::string name = node_.resolveName(from);
+  auto options = guardedOptions<Cloud>(
+      from, 1,
+      [this](const ros::MessageEvent<const Cloud>& event) { receive(event.getConstMessage()); },
+      [name](const std::string& reason) {
+        ROS_WARN_THROTTLE(5.0, "%s: %s; not drawn", name.c_str(), reason.c_str());
+      });
+  subscriber_ = node_.subscribe(options);
   spinner_.start();
 }
 

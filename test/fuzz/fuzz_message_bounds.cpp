@@ -3,6 +3,8 @@
 // of the input chooses the message.
 #include "core/cloud/message_bounds.hpp"
 
+#include <iterator>
+
 #include "test/fuzz/input.hpp"
 
 namespace pilothouse {
@@ -51,6 +53,12 @@ void readCompressed(Trusting& in) {
 void readInfo(Trusting& in) {
   in.fixed(12), in.array(1), in.fixed(8), in.array(1), in.array(8), in.fixed(240 + 25);
 }
+void readGrid(Trusting& in) {
+  in.fixed(12), in.array(1), in.fixed(76), in.array(1), in.array(4), in.array(4), in.array(1);
+}
+void readObjects(Trusting& in) {
+  in.fixed(12), in.array(1), in.array(1), in.array(18);
+}
 
 using Fault = std::optional<LengthFault> (*)(const std::uint8_t*, std::size_t,
                                              const MessageBounds&);
@@ -61,7 +69,9 @@ struct Message {
 constexpr Message kMessages[] = {{pointCloud2Fault, readCloud},
                                  {imageFault, readImage},
                                  {compressedImageFault, readCompressed},
-                                 {cameraInfoFault, readInfo}};
+                                 {cameraInfoFault, readInfo},
+                                 {floorGridFault, readGrid},
+                                 {objectListFault, readObjects}};
 
 }  // namespace
 }  // namespace pilothouse
@@ -69,7 +79,7 @@ constexpr Message kMessages[] = {{pointCloud2Fault, readCloud},
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace pilothouse;
   FuzzInput input(data, size);
-  const Message& message = kMessages[input.take<std::uint8_t>() % 4];
+  const Message& message = kMessages[input.take<std::uint8_t>() % std::size(kMessages)];
   const auto bytes = input.rest();
   const auto fault = message.fault(bytes.data(), input.left(), {});
   if (fault) {
