@@ -39,6 +39,8 @@ need_packages() {
 build() {
   local what=$1; shift
   local options=(-DCMAKE_BUILD_TYPE=Release "$@")
+  # What is built for all serves a run as well.
+  if [ "$what" = run ] && grep -q '^all ' "$BUILD/.configured" 2>/dev/null; then what=all; fi
   if [ "$what" = all ]; then
     options+=(-DPILOTHOUSE_BENCH=ON -DCATKIN_ENABLE_TESTING=ON)
   elif [ ! -f "$BUILD/CMakeCache.txt" ]; then
@@ -47,7 +49,7 @@ build() {
   local wanted="$what ${options[*]} $(sha256sum "$PROJECT/package.xml" | cut -c1-16)"
   if [ ! -f "$BUILD/build.ninja" ] || ! grep -qxF "$wanted" "$BUILD/.configured" 2>/dev/null; then
     say "configuring"
-    unset ROS_PACKAGE_PATH CMAKE_PREFIX_PATH
+    unset ROS_PACKAGE_PATH CMAKE_PREFIX_PATH PYTHONPATH LD_LIBRARY_PATH PKG_CONFIG_PATH
     cmake -G Ninja -S "$PROJECT" -B "$BUILD" -DCATKIN_DEVEL_PREFIX="$DEVEL" "${options[@]}" \
       > "$PROJECT/build-configure.log" 2>&1 || {
         tail -n 30 "$PROJECT/build-configure.log" >&2; fail "cmake could not configure the project (build-configure.log has it all)"; }

@@ -48,6 +48,9 @@ class Commands(unittest.TestCase):
         self.refuses('sonar', 'run', '--input', 'sonar')
         self.refuses('--rate is 0', 'run', '--rate', '0')
         self.refuses('--remap needs --bag', 'run', '--remap', 'a:=b')
+        self.refuses('simulator', 'run', '--world', 'room')
+        self.refuses('--calibrate learns', 'run', '--depth', PROJECT, '--calibrate')
+        self.refuses('no display', 'run')
 
     def test_a_file_that_is_no_bag_is_refused(self):
         self.refuses('not a bag', 'bag_topics.py', os.path.join(PROJECT, 'LICENSE'))
