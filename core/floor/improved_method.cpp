@@ -13,6 +13,7 @@ constexpr float kSeedHalfWidth =
 constexpr float kSeedDepth = 0.5F;   // and this far beyond the nearest cell seen [m]
 constexpr float kTiltSlack = 0.06F;  // tan 3.4 deg: a mounting not yet calibrated [m/m]
 constexpr int kOffsetSamples = 15;
+constexpr float kNoiseSigmas = 2.0F;   // of noise that a patch may lie off the floor beyond a step
 constexpr float kFloorSlack = 0.001F;  // how well the floor's height at a cell is known [m]
 
 }  // namespace
@@ -158,8 +159,12 @@ void ImprovedMethod::joinIslands(const FloorGrid& grid, const Eigen::Vector3f& c
 template <class Expected>
 void ImprovedMethod::sort(std::size_t number, const FloorGrid& grid, Expected expected) {
   if (kinds_[number] == PatchKind::kFloor) return;
-  const auto tolerance = static_cast<float>(parameters_.step_height);
-  const float offset = patchOffset(patches_.patches()[number], grid, expected);
+  const FloorPatch& patch = patches_.patches()[number];
+  const float offset = patchOffset(patch, grid, expected);
+  // The wobble of depth is alike over a whole patch, so it does not average out.
+  const std::uint32_t middle = patches_.cells()[patch.first + patch.size / 2];
+  const float tolerance = static_cast<float>(parameters_.step_height) +
+                          kNoiseSigmas * std::sqrt(noise_variance_[middle]);
   kinds_[number] = std::abs(offset) <= tolerance ? PatchKind::kJoining
                    : offset > 0.0F               ? PatchKind::kAbove
                                                  : PatchKind::kBelow;
