@@ -15,7 +15,7 @@
 #include "core/floor/floor_segmenter.hpp"
 #include "core/floor/plane_search.hpp"
 #include "core/floor/point_split.hpp"
-#include "nodelets/message_views.hpp"
+#include "doors/message_views.hpp"
 #include "nodelets/pcd_file.hpp"
 
 namespace pilothouse::bench {
@@ -85,7 +85,7 @@ struct MethodResult {
 MethodResult judge(const CloudView& cloud, const Eigen::Isometry3f& T, FloorMethod method,
                    const std::vector<std::uint32_t>& labels) {
   FloorSegmenter segmenter(parametersFor(method));
-  const FloorGrid& grid = segmenter.segment(cloud, T);
+  const FloorCells& grid = segmenter.segment(cloud, T);
   MethodResult result;
   splitPoints(cloud, T, grid, segmenter.parameters(), result.points);
   result.iou = iouOf(labels, result.points);

@@ -18,8 +18,8 @@
 #include "core/floor/floor_segmenter.hpp"
 #include "core/floor/plane_search.hpp"
 #include "core/floor/point_split.hpp"
+#include "doors/message_views.hpp"
 #include "nodelets/depth_folder.hpp"
-#include "nodelets/message_views.hpp"
 #include "nodelets/pcd_file.hpp"
 
 namespace pilothouse::bench {
@@ -68,7 +68,7 @@ void draw(const View& view, const FloorPlane& plane, const cv::Mat& colour,
   const Eigen::Isometry3f T = mountingFromPlane(plane);
   FloorParameters parameters;
   FloorSegmenter improved(parameters);
-  const FloorGrid& grid = improved.segment(view, T);
+  const FloorCells& grid = improved.segment(view, T);
   std::vector<CellClass> points;
   splitPoints(view, T, grid, parameters, points);
   parameters.method = FloorMethod::kOriginal;

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/floor/floor_grid.hpp"
+#include "core/floor/floor_cells.hpp"
 #include "sim/floor_scene.hpp"
 
 namespace pilothouse::bench {

@@ -115,7 +115,7 @@ FloorResult runTrial(const FloorTask& task, std::uint64_t seed, bool keep_pictur
   sim::Random random(mixSeed(own, 2));
   const sim::DepthNoise noise;
   std::vector<std::uint16_t> image;
-  FloorGrid original_grid, improved_grid;
+  FloorCells original_grid, improved_grid;
   const int frames = task.calibrating ? kCalibrationFrames : 1;
   for (int frame = 0; frame < frames; ++frame) {
     sim::measure(perfect.depths, noise, random, image);

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/floor/floor_grid.hpp"
+#include "core/floor/floor_cells.hpp"
 
 namespace pilothouse::bench {
 

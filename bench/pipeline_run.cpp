@@ -13,11 +13,11 @@
 #include <stdexcept>
 #include <thread>
 
+#include <pilothouse/FloorGrid.h>
 #include "bench/camera_source.hpp"
 #include "bench/own_master.hpp"
 #include "core/floor/floor_segmenter.hpp"
-#include "nodelets/floor_grid_message.hpp"
-#include "nodelets/message_views.hpp"
+#include "doors/message_views.hpp"
 
 namespace pilothouse::bench {
 namespace {
@@ -61,7 +61,7 @@ class GridSink {
   }
 
  private:
-  void take(const FloorGridMessage::ConstPtr& grid) {
+  void take(const FloorGrid::ConstPtr& grid) {
     const double latency = (ros::Time::now() - grid->header.stamp).toSec() * 1e3;
     const std::lock_guard<std::mutex> lock(mutex_);
     latencies_ms_.push_back(latency);

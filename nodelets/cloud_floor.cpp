@@ -2,9 +2,9 @@
 #include <sensor_msgs/PointCloud2.h>
 #include <pluginlib/class_list_macros.hpp>
 
+#include "doors/guarded_subscriber.hpp"
+#include "doors/message_views.hpp"
 #include "nodelets/floor_publisher.hpp"
-#include "nodelets/guarded_subscriber.hpp"
-#include "nodelets/message_views.hpp"
 
 namespace pilothouse {
 

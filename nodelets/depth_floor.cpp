@@ -1,10 +1,10 @@
 #include <nodelet/nodelet.h>
 #include <pluginlib/class_list_macros.hpp>
 
+#include "doors/guarded_subscriber.hpp"
+#include "doors/message_views.hpp"
 #include "nodelets/camera_info_pairing.hpp"
 #include "nodelets/floor_publisher.hpp"
-#include "nodelets/guarded_subscriber.hpp"
-#include "nodelets/message_views.hpp"
 
 namespace pilothouse {
 

@@ -4,9 +4,9 @@
 
 namespace pilothouse {
 
-FloorGridMessage::Ptr toMessage(const std_msgs::Header& header, const FloorGrid& grid,
-                                FloorMethod method) {
-  auto message = boost::make_shared<FloorGridMessage>();
+FloorGrid::Ptr toMessage(const std_msgs::Header& header, const FloorCells& grid,
+                         FloorMethod method) {
+  auto message = boost::make_shared<FloorGrid>();
   const GridGeometry& g = grid.geometry;
   message->header = header;
   message->info.map_load_time = header.stamp;
@@ -26,7 +26,7 @@ FloorGridMessage::Ptr toMessage(const std_msgs::Header& header, const FloorGrid&
   return message;
 }
 
-ObjectList::Ptr toMessage(const std_msgs::Header& header, const FloorGrid& grid,
+ObjectList::Ptr toMessage(const std_msgs::Header& header, const FloorCells& grid,
                           const std::vector<GridObject>& objects) {
   auto message = boost::make_shared<ObjectList>();
   const GridGeometry& g = grid.geometry;

@@ -7,20 +7,20 @@
 
 #include <vector>
 
-#include "core/floor/floor_grid.hpp"
+#include <pilothouse/FloorGrid.h>
+#include "core/floor/floor_cells.hpp"
 #include "core/floor/floor_parameters.hpp"
 #include "core/floor/nearest_objects.hpp"
 #include "core/floor/virtual_scan.hpp"
-#include "nodelets/floor_grid_message.hpp"
 
 namespace pilothouse {
 
 // Each call makes a fresh message: what was published is never changed.
 // The headers' stamp is the camera's; their frame the robot's base unless said otherwise.
 
-FloorGridMessage::Ptr toMessage(const std_msgs::Header& header, const FloorGrid& grid,
-                                FloorMethod method);
-ObjectList::Ptr toMessage(const std_msgs::Header& header, const FloorGrid& grid,
+FloorGrid::Ptr toMessage(const std_msgs::Header& header, const FloorCells& grid,
+                         FloorMethod method);
+ObjectList::Ptr toMessage(const std_msgs::Header& header, const FloorCells& grid,
                           const std::vector<GridObject>& objects);
 sensor_msgs::LaserScan::Ptr toMessage(const std_msgs::Header& header, const ScanGeometry& scan,
                                       const std::vector<float>& ranges);

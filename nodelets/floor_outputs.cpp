@@ -11,7 +11,7 @@ void FloorOutputs::advertise(ros::NodeHandle& handle, Demand demand) {
   std::lock_guard<std::mutex> lock(demand_mutex_);
   demand_ = std::move(demand);
   const auto notice = [this](const ros::SingleSubscriberPublisher&) { this->notice(); };
-  grid_ = handle.advertise<FloorGridMessage>("floor_grid", 2, notice, notice);
+  grid_ = handle.advertise<FloorGrid>("floor_grid", 2, notice, notice);
   objects_ = handle.advertise<ObjectList>("objects/camera", 2, notice, notice);
   scan_ = handle.advertise<sensor_msgs::LaserScan>("virtual_scan", 2, notice, notice);
   floor_points_ = handle.advertise<sensor_msgs::PointCloud2>("floor_points", 2, notice, notice);
@@ -38,7 +38,7 @@ void FloorOutputs::notice() {
 template <class View>
 void FloorOutputs::publish(const std_msgs::Header& camera, const View& view,
                            const std::string& base_frame, const Eigen::Isometry3f& T_base_camera,
-                           const FloorGrid& grid, const FloorParameters& parameters) {
+                           const FloorCells& grid, const FloorParameters& parameters) {
   std_msgs::Header base = camera;
   base.frame_id = base_frame;
   if (grid_.getNumSubscribers() > 0) grid_.publish(toMessage(base, grid, parameters.method));
@@ -63,10 +63,10 @@ void FloorOutputs::publish(const std_msgs::Header& camera, const View& view,
 }
 
 template void FloorOutputs::publish(const std_msgs::Header&, const CloudView&, const std::string&,
-                                    const Eigen::Isometry3f&, const FloorGrid&,
+                                    const Eigen::Isometry3f&, const FloorCells&,
                                     const FloorParameters&);
 template void FloorOutputs::publish(const std_msgs::Header&, const DepthView&, const std::string&,
-                                    const Eigen::Isometry3f&, const FloorGrid&,
+                                    const Eigen::Isometry3f&, const FloorCells&,
                                     const FloorParameters&);
 
 }  // namespace pilothouse

@@ -12,7 +12,7 @@
 
 #include "core/cloud/cloud_view.hpp"
 #include "core/cloud/depth_view.hpp"
-#include "core/floor/floor_grid.hpp"
+#include "core/floor/floor_cells.hpp"
 #include "core/floor/floor_parameters.hpp"
 #include "core/floor/nearest_objects.hpp"
 #include "core/floor/virtual_scan.hpp"
@@ -35,7 +35,7 @@ class FloorOutputs {
   /// @param T_base_camera the mounting that the grid was made with.
   template <class View>
   void publish(const std_msgs::Header& camera, const View& view, const std::string& base_frame,
-               const Eigen::Isometry3f& T_base_camera, const FloorGrid& grid,
+               const Eigen::Isometry3f& T_base_camera, const FloorCells& grid,
                const FloorParameters& parameters);
 
  private:

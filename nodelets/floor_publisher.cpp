@@ -115,7 +115,7 @@ void FloorPublisher::process(const std_msgs::Header& header, const Checked<View>
   if (!view) return health_.rejected("message", view.reason());
   const Checked<Eigen::Isometry3f> T_base_camera = mountingOf(header, *view);
   if (!T_base_camera) return health_.rejected("mounting", T_base_camera.reason());
-  const FloorGrid& grid = segmenter_.segment(*view, *T_base_camera);
+  const FloorCells& grid = segmenter_.segment(*view, *T_base_camera);
   outputs_.publish(header, *view, parameters_.base_frame, segmenter_.mountingUsed(), grid,
                    segmenter_.parameters());
   health_.accepted(InputHealth::Clock::now() - begin);

@@ -10,9 +10,9 @@
 #include <string>
 
 #include "core/floor/floor_segmenter.hpp"
+#include "doors/floor_settings.hpp"
 #include "nodelets/camera_mounting.hpp"
 #include "nodelets/floor_outputs.hpp"
-#include "nodelets/floor_settings.hpp"
 #include "nodelets/input_health.hpp"
 
 namespace pilothouse {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "nodelets/strict_parameters.hpp"
+#include "doors/strict_parameters.hpp"
 
 namespace pilothouse {
 

@@ -3,7 +3,7 @@
 #include <tf2_ros/static_transform_broadcaster.h>
 #include <pluginlib/class_list_macros.hpp>
 
-#include "nodelets/robot_description.hpp"
+#include "doors/robot_description.hpp"
 
 namespace pilothouse {
 

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <string>
 
-#include "gui/model/floor_grid_message.hpp"
+#include <pilothouse/FloorGrid.h>
 #include "pilothouse/ObjectList.h"
 
 namespace {
@@ -28,8 +28,8 @@ sensor_msgs::Image depthImage() {
   return image;
 }
 
-pilothouse::FloorGridMessage floorGrid() {
-  pilothouse::FloorGridMessage grid;
+pilothouse::FloorGrid floorGrid() {
+  pilothouse::FloorGrid grid;
   grid.header.frame_id = "base_link";
   grid.info.width = 40;
   grid.info.height = 40;
@@ -37,7 +37,7 @@ pilothouse::FloorGridMessage floorGrid() {
   grid.info.origin.position.x = 0.2;
   grid.info.origin.position.y = -2.0;
   grid.info.origin.orientation.w = 1.0;
-  grid.classes.assign(1600, pilothouse::FloorGridMessage::FLOOR);
+  grid.classes.assign(1600, pilothouse::FloorGrid::FLOOR);
   grid.heights.assign(1600, 0.0F);
   grid.deviations.assign(1600, 0.002F);
   grid.method = "improved";
@@ -53,7 +53,7 @@ int main(int argc, char** argv) {
   auto depth_pub = nh.advertise<sensor_msgs::Image>("camera/depth/image_rect", 1);
   auto info_pub = nh.advertise<sensor_msgs::CameraInfo>("camera/depth/camera_info", 1);
   auto colour_pub = nh.advertise<sensor_msgs::Image>("camera/rgb/image_rect_color", 1);
-  auto floor_pub = nh.advertise<pilothouse::FloorGridMessage>("floor_grid", 1);
+  auto floor_pub = nh.advertise<pilothouse::FloorGrid>("floor_grid", 1);
   auto objects_pub = nh.advertise<pilothouse::ObjectList>("objects/camera", 1);
   auto depth = depthImage();
   sensor_msgs::CameraInfo info;

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "nodelets/floor_grid_message.hpp"
+#include <pilothouse/FloorGrid.h>
 #include "test/box_scene.hpp"
 
 namespace pilothouse {

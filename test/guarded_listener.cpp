@@ -4,7 +4,7 @@
 #include <std_msgs/String.h>
 #include <std_msgs/UInt32.h>
 
-#include "nodelets/guarded_subscriber.hpp"
+#include "doors/guarded_subscriber.hpp"
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "guarded_listener");

@@ -3,16 +3,16 @@
 #include <limits>
 #include <random>
 
-#include "core/floor/floor_grid.hpp"
+#include "core/floor/floor_cells.hpp"
 
 namespace pilothouse {
 
 /// A grid of any geometry and any classes: cells of 1 to 50 cm, ahead of or all round the robot.
-inline FloorGrid randomGrid(std::mt19937& random) {
+inline FloorCells randomGrid(std::mt19937& random) {
   const auto uniform = [&random](float low, float high) {
     return std::uniform_real_distribution<float>(low, high)(random);
   };
-  FloorGrid grid;
+  FloorCells grid;
   GridGeometry& g = grid.geometry;
   g.cell_size = uniform(0.01F, 0.5F);
   g.size_x = std::uniform_int_distribution<int>(1, 30)(random);

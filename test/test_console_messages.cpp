@@ -7,10 +7,10 @@
 #include <limits>
 #include <random>
 
+#include "doors/guarded_subscriber.hpp"
 #include "gui/model/class_colours.hpp"
 #include "gui/model/conversions.hpp"
 #include "gui/model/diagnostics_board.hpp"
-#include "gui/model/guarded_helper.hpp"
 
 using namespace pilothouse;
 using namespace pilothouse::gui;
@@ -229,8 +229,8 @@ TEST(Coded, noPrefixOrMutationOfAHeaderCrashes) {
   }
 }
 
-FloorGridMessage gridMessage() {
-  FloorGridMessage grid;
+FloorGrid gridMessage() {
+  FloorGrid grid;
   grid.info.width = 3;
   grid.info.height = 2;
   grid.info.resolution = 0.5F;
@@ -256,7 +256,7 @@ TEST(Floor, pictureHasForwardUpAndLeftLeft) {
 }
 
 TEST(Floor, badGridsAreRefusedWithAReason) {
-  const auto reason = [](void (*spoil)(FloorGridMessage&)) {
+  const auto reason = [](void (*spoil)(FloorGrid&)) {
     auto grid = gridMessage();
     spoil(grid);
     const auto result = floorFromMessage(grid);
@@ -328,14 +328,14 @@ std::vector<std::uint8_t> lying(std::vector<std::uint8_t> bytes, std::size_t fro
 TEST(Guard, letsAGoodFloorGridThroughAndRefusesOneThatLies) {
   const auto sent = gridMessage();
   const auto bytes = serialised(sent);
-  const Arrival<FloorGridMessage> good(bytes);
+  const Arrival<FloorGrid> good(bytes);
   EXPECT_EQ(good.refused, "");
   ASSERT_TRUE(good.message);
   EXPECT_EQ(good.message->classes, sent.classes);
   EXPECT_EQ(good.message->method, sent.method);
   // From the end: method 4 + 8, deviations 4 + 24, heights 4 + 24, classes 4 + 6.
-  const Arrival<FloorGridMessage> bad(lying(bytes, 78, 1500000000));
-  EXPECT_EQ(bad.refused, "length of FloorGrid classes is 1500000000, expected 0 to 74");
+  const Arrival<FloorGrid> bad(lying(bytes, 78, 1500000000));
+  EXPECT_EQ(bad.refused, "length of FloorCells classes is 1500000000, expected 0 to 74");
   EXPECT_FALSE(bad.message);
 }
 

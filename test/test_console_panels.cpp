@@ -35,7 +35,7 @@ RobotDescription robot() {
   RobotDescription r;
   r.name = "platform";
   r.title = "Platform";
-  r.footprint = {{0.25, 0.20}, {-0.25, 0.20}, {-0.25, -0.20}, {0.25, -0.20}};
+  r.footprint = {{{0.25, 0.20}}, {{-0.25, 0.20}}, {{-0.25, -0.20}}, {{0.25, -0.20}}};
   return r;
 }
 

@@ -2,19 +2,19 @@
 #include <dynamic_reconfigure/Reconfigure.h>
 #include <gtest/gtest.h>
 
-#include "core/floor/floor_grid.hpp"
-#include "nodelets/message_views.hpp"
+#include "core/floor/floor_cells.hpp"
+#include "doors/message_views.hpp"
 #include "test/floor_harness.hpp"
 
 namespace pilothouse {
 namespace {
 
-bool isDrivable(const FloorGridMessage& grid, std::size_t i) {
+bool isDrivable(const FloorGrid& grid, std::size_t i) {
   return isDrivable(static_cast<CellClass>(grid.classes[i]));
 }
 
 /// Checks a grid against the scene: the box is there, the floor before and beside it is free.
-void expectBox(const FloorGridMessage& grid, const BoxScene& scene) {
+void expectBox(const FloorGrid& grid, const BoxScene& scene) {
   int box = 0, box_found = 0, free = 0, free_found = 0;
   for (std::uint32_t iy = 0; iy < grid.info.height; ++iy) {
     for (std::uint32_t ix = 0; ix < grid.info.width; ++ix) {
@@ -26,7 +26,7 @@ void expectBox(const FloorGridMessage& grid, const BoxScene& scene) {
       const bool in_y = y - half >= scene.low.y() && y + half <= scene.high.y();
       if (in_x && in_y) {
         ++box;
-        if (grid.classes[i] == FloorGridMessage::OBSTACLE) ++box_found;
+        if (grid.classes[i] == FloorGrid::OBSTACLE) ++box_found;
       } else if (x > 0.75 && x < 1.1 && std::abs(y) < 0.3) {
         ++free;
         if (isDrivable(grid, i)) ++free_found;
@@ -47,7 +47,7 @@ class FloorNodelet : public testing::TestWithParam<std::string> {
 
 TEST_P(FloorNodelet, SeesTheBoxInEveryOutput) {
   ASSERT_TRUE(harness_.load());
-  Inbox<FloorGridMessage> grids(harness_.handle(), "floor_grid");
+  Inbox<FloorGrid> grids(harness_.handle(), "floor_grid");
   Inbox<ObjectList> objects(harness_.handle(), "objects/camera");
   Inbox<sensor_msgs::LaserScan> scans(harness_.handle(), "virtual_scan");
   Inbox<sensor_msgs::PointCloud2> floor_points(harness_.handle(), "floor_points");
@@ -61,7 +61,7 @@ TEST_P(FloorNodelet, SeesTheBoxInEveryOutput) {
            !floor_points.all().empty() && !obstacle_points.all().empty();
   }));
 
-  const FloorGridMessage& grid = *grids.all()[0];
+  const FloorGrid& grid = *grids.all()[0];
   EXPECT_EQ(grid.header.frame_id, "base_link");
   expectBox(grid, scene_);
 
@@ -116,7 +116,7 @@ TEST_P(FloorNodelet, ListensOnlyWhileSomebodyListensToIt) {
 
 TEST_P(FloorNodelet, RejectsAPictureWithoutATransformNamingTheFrames) {
   ASSERT_TRUE(harness_.load());
-  Inbox<FloorGridMessage> grids(harness_.handle(), "floor_grid");
+  Inbox<FloorGrid> grids(harness_.handle(), "floor_grid");
   ASSERT_TRUE(harness_.waitForListener());
   scene_.frame = "nowhere";
   harness_.show(scene_, 1.0);
@@ -130,7 +130,7 @@ TEST_P(FloorNodelet, RejectsAPictureWithoutATransformNamingTheFrames) {
 TEST_P(FloorNodelet, FindsTheMountingInThePictureWhenAskedTo) {
   harness_.set("floor/mounting_source", "search");
   ASSERT_TRUE(harness_.load());
-  Inbox<FloorGridMessage> grids(harness_.handle(), "floor_grid");
+  Inbox<FloorGrid> grids(harness_.handle(), "floor_grid");
   ASSERT_TRUE(harness_.waitForListener());
   scene_.frame = "nowhere";
   harness_.show(scene_, 1.0);
@@ -140,7 +140,7 @@ TEST_P(FloorNodelet, FindsTheMountingInThePictureWhenAskedTo) {
 
 TEST_P(FloorNodelet, StartsAfreshWhenTimeJumpsBack) {
   ASSERT_TRUE(harness_.load());
-  Inbox<FloorGridMessage> grids(harness_.handle(), "floor_grid");
+  Inbox<FloorGrid> grids(harness_.handle(), "floor_grid");
   ASSERT_TRUE(harness_.waitForListener());
   double stamp = 1000.0;
   while (grids.all().size() < 20 && stamp < 1030.0) {
@@ -167,7 +167,7 @@ TEST_P(FloorNodelet, StartsAfreshWhenTimeJumpsBack) {
 
 TEST_P(FloorNodelet, LivesThroughTheLatestStampThatAMessageCanCarry) {
   ASSERT_TRUE(harness_.load());
-  Inbox<FloorGridMessage> grids(harness_.handle(), "floor_grid");
+  Inbox<FloorGrid> grids(harness_.handle(), "floor_grid");
   ASSERT_TRUE(harness_.waitForListener());
   const auto judged = [&](double stamp) {
     return spinUntil([&] {
@@ -185,7 +185,7 @@ TEST_P(FloorNodelet, TheRobotsFileGoesBeforeDefaultsAndPrivateNamesBeforeIt) {
   harness_.set("robot/floor/cell_size", 0.25);
   harness_.set("floor/cell_size", 0.1);
   ASSERT_TRUE(harness_.load());
-  Inbox<FloorGridMessage> grids(harness_.handle(), "floor_grid");
+  Inbox<FloorGrid> grids(harness_.handle(), "floor_grid");
   ASSERT_TRUE(harness_.waitForListener());
   ASSERT_TRUE(spinUntil([&] {
     harness_.show(scene_, 1.0);
@@ -219,7 +219,7 @@ double valueOf(const dynamic_reconfigure::Config& config, const std::string& key
 
 TEST_P(FloorNodelet, TakesSoundLiveChangesAndRefusesWrongCombinations) {
   ASSERT_TRUE(harness_.load());
-  Inbox<FloorGridMessage> grids(harness_.handle(), "floor_grid");
+  Inbox<FloorGrid> grids(harness_.handle(), "floor_grid");
   ASSERT_TRUE(harness_.waitForListener());
   dynamic_reconfigure::Config answer;
   ASSERT_TRUE(reconfigure(harness_, {{"cell_size", 0.1}}, answer));
@@ -248,7 +248,7 @@ TEST_P(FloorNodelet, IsUnloadedWhilePicturesArrive) {
   for (int round = 0; round < 10; ++round) {
     FloorHarness harness(GetParam());
     ASSERT_TRUE(harness.load());
-    Inbox<FloorGridMessage> grids(harness.handle(), "floor_grid");
+    Inbox<FloorGrid> grids(harness.handle(), "floor_grid");
     ASSERT_TRUE(harness.waitForListener());
     ASSERT_TRUE(spinUntil([&] {
       for (int i = 0; i < 5; ++i) harness.show(scene_, 1.0);
@@ -273,7 +273,7 @@ TEST(DepthFloor, CountsMalformedImagesAndLives) {
   FloorHarness harness("DepthFloor");
   const BoxScene scene;
   ASSERT_TRUE(harness.load());
-  Inbox<FloorGridMessage> grids(harness.handle(), "floor_grid");
+  Inbox<FloorGrid> grids(harness.handle(), "floor_grid");
   ASSERT_TRUE(harness.waitForListener());
   harness.publish(scene.info(1.0));
   using sensor_msgs::Image;
@@ -300,7 +300,7 @@ TEST(DepthFloor, CountsImagesThatNoCameraInfoFits) {
   FloorHarness harness("DepthFloor");
   const BoxScene scene;
   ASSERT_TRUE(harness.load());
-  Inbox<FloorGridMessage> grids(harness.handle(), "floor_grid");
+  Inbox<FloorGrid> grids(harness.handle(), "floor_grid");
   ASSERT_TRUE(harness.waitForListener());
   double stamp = 1.0;
   EXPECT_TRUE(spinUntil([&] {  // of two that come at once only the newer may be kept
@@ -314,7 +314,7 @@ TEST(CloudFloor, CountsMalformedCloudsAndLives) {
   FloorHarness harness("CloudFloor");
   const BoxScene scene;
   ASSERT_TRUE(harness.load());
-  Inbox<FloorGridMessage> grids(harness.handle(), "floor_grid");
+  Inbox<FloorGrid> grids(harness.handle(), "floor_grid");
   ASSERT_TRUE(harness.waitForListener());
   using sensor_msgs::PointCloud2;
   int sent = 0;
@@ -340,7 +340,7 @@ TEST(CloudFloor, SilenceIsAnError) {
   FloorHarness harness("CloudFloor");
   harness.set("floor/input_timeout", 0.2);
   ASSERT_TRUE(harness.load());
-  Inbox<FloorGridMessage> grids(harness.handle(), "floor_grid");
+  Inbox<FloorGrid> grids(harness.handle(), "floor_grid");
   EXPECT_TRUE(spinUntil([&] {
     return harness.diagnostic("input", "message").find("no input for") == 0 &&
            harness.diagnostic("input", "level") == "2";
@@ -359,7 +359,7 @@ TEST(CloudFloor, WarnsWhenTheCameraIsNotMountedAsConfigured) {
   transform.child_frame_id = scene.frame;
   broadcaster.sendTransform(transform);
   ASSERT_TRUE(harness.load());
-  Inbox<FloorGridMessage> grids(harness.handle(), "floor_grid");
+  Inbox<FloorGrid> grids(harness.handle(), "floor_grid");
   ASSERT_TRUE(harness.waitForListener());
   double stamp = 1.0;
   EXPECT_TRUE(spinUntil([&] {

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "core/floor/floor_grid.hpp"
+#include "core/floor/floor_cells.hpp"
 #include "test/floor_harness.hpp"
 
 namespace pilothouse {
@@ -26,7 +26,7 @@ struct Shares {
 };
 
 /// What lies within 0.6 to 2.5 m ahead and 60 cm to either side.
-Shares inFront(const FloorGridMessage& grid) {
+Shares inFront(const FloorGrid& grid) {
   int cells = 0, known = 0, drivable = 0;
   Shares shares;
   for (std::uint32_t i = 0; i < grid.info.width * grid.info.height; ++i) {
@@ -47,8 +47,8 @@ Shares inFront(const FloorGridMessage& grid) {
 }
 
 /// Every floor grid of a depth recording that brings its own tf.
-std::vector<FloorGridMessage::ConstPtr> judgeDepth(FloorHarness& harness, const std::string& path) {
-  Inbox<FloorGridMessage> grids(harness.handle(), "floor_grid");
+std::vector<FloorGrid::ConstPtr> judgeDepth(FloorHarness& harness, const std::string& path) {
+  Inbox<FloorGrid> grids(harness.handle(), "floor_grid");
   EXPECT_TRUE(harness.waitForListener());
   ros::Publisher tf = harness.handle().advertise<tf2_msgs::TFMessage>("/tf_static", 10, true);
   rosbag::Bag bag(path);
@@ -101,7 +101,7 @@ TEST(FloorOnRecordings, CloudsWithoutTfAreJudgedByTheFloorInThem) {
   FloorHarness harness("CloudFloor");
   harness.set("floor/mounting_source", "search");
   ASSERT_TRUE(harness.load());
-  Inbox<FloorGridMessage> grids(harness.handle(), "floor_grid");
+  Inbox<FloorGrid> grids(harness.handle(), "floor_grid");
   ASSERT_TRUE(harness.waitForListener());
   ASSERT_TRUE(harness.waitForDiagnostic("input", "arrived", "0"));
   rosbag::Bag bag(path);

@@ -11,13 +11,13 @@
 namespace pilothouse {
 namespace {
 
-CellClass at(const FloorGrid& grid, float x, float y) {
+CellClass at(const FloorCells& grid, float x, float y) {
   const GridGeometry& g = grid.geometry;
   return grid.classes[g.index(static_cast<int>((x - g.x_min) / g.cell_size),
                               static_cast<int>((y - g.y_min) / g.cell_size))];
 }
 
-std::size_t count(const FloorGrid& grid, CellClass wanted) {
+std::size_t count(const FloorCells& grid, CellClass wanted) {
   return static_cast<std::size_t>(std::count(grid.classes.begin(), grid.classes.end(), wanted));
 }
 
@@ -27,14 +27,14 @@ FloorParameters with(FloorMethod method) {
   return parameters;
 }
 
-FloorGrid judged(const sim::FloorScene& scene, const FloorParameters& parameters = {}) {
+FloorCells judged(const sim::FloorScene& scene, const FloorParameters& parameters = {}) {
   const RenderedView picture(scene, usualMounting());
   FloorSegmenter segmenter(parameters);
   return segmenter.segment(picture.view(), picture.T_base_optical());
 }
 
 TEST(FloorSegmenter, AnEmptyFloorIsAllFloor) {
-  const FloorGrid grid = judged(emptyFloor());
+  const FloorCells grid = judged(emptyFloor());
   EXPECT_EQ(count(grid, CellClass::kObstacle), 0U);
   EXPECT_EQ(count(grid, CellClass::kDropOff), 0U);
   EXPECT_GT(count(grid, CellClass::kFloor), 3000U);
@@ -45,7 +45,7 @@ TEST(FloorSegmenter, TheTopOfABoxIsAnObstacleAndFooledTheOriginal) {
   sim::FloorScene scene = emptyFloor();
   scene.solids.push_back(sim::makeBox(placed(1.5, 0.0), {0.4, 0.4, 0.18}, sim::Surface::kBox18cm));
   EXPECT_EQ(at(judged(scene, with(FloorMethod::kOriginal)), 1.525F, 0.025F), CellClass::kFloor);
-  const FloorGrid grid = judged(scene);
+  const FloorCells grid = judged(scene);
   EXPECT_EQ(at(grid, 1.525F, 0.025F), CellClass::kObstacle);
   EXPECT_EQ(at(grid, 1.325F, 0.025F), CellClass::kObstacle);  // its front
   EXPECT_EQ(at(grid, 1.225F, 0.025F), CellClass::kFloor);
@@ -57,7 +57,7 @@ TEST(FloorSegmenter, BeyondAStepDownIsDropOffAndFooledTheOriginal) {
   scene.solids.push_back(sim::makeGround(*scene.edge));
   scene.solids.push_back(sim::makeGround(-0.10, sim::Surface::kLowerLevel));
   EXPECT_EQ(at(judged(scene, with(FloorMethod::kOriginal)), 2.525F, 0.025F), CellClass::kFloor);
-  const FloorGrid grid = judged(scene);
+  const FloorCells grid = judged(scene);
   EXPECT_EQ(at(grid, 2.525F, 0.025F), CellClass::kDropOff);
   // What the edge hides is part of it.
   EXPECT_EQ(at(grid, 1.925F, 0.025F), CellClass::kDropOff);
@@ -69,7 +69,7 @@ TEST(FloorSegmenter, ASillIsAThresholdAndARampIsFloor) {
   scene.solids.push_back(sim::makeBox(placed(1.3, 0.0), {0.06, 2.0, 0.02}, sim::Surface::kSill));
   FloorParameters parameters;
   parameters.threshold_deviation = 0.004;
-  const FloorGrid grid = judged(scene, parameters);
+  const FloorCells grid = judged(scene, parameters);
   EXPECT_EQ(count(grid, CellClass::kObstacle), 0U);
   EXPECT_TRUE(at(grid, 1.275F, 0.025F) == CellClass::kThreshold ||
               at(grid, 1.325F, 0.025F) == CellClass::kThreshold);
@@ -77,7 +77,7 @@ TEST(FloorSegmenter, ASillIsAThresholdAndARampIsFloor) {
 
   sim::FloorScene ramp = emptyFloor();
   ramp.solids.push_back(sim::makeRamp(placed(1.4, 0.0), 10.0 * 0.0174533, 0.35, 20.0));
-  const FloorGrid slope = judged(ramp);
+  const FloorCells slope = judged(ramp);
   EXPECT_TRUE(isDrivable(at(slope, 2.525F, 0.025F)));
   EXPECT_EQ(count(slope, CellClass::kObstacle), 0U);
 }
@@ -86,7 +86,7 @@ TEST(FloorSegmenter, FloorBehindABoxIsStillFloor) {
   sim::FloorScene scene = emptyFloor();
   // As wide as the view, so that no floor leads round it.
   scene.solids.push_back(sim::makeBox(placed(1.2, 0.0), {0.1, 6.0, 0.1}, sim::Surface::kObstacle));
-  const FloorGrid grid = judged(scene);
+  const FloorCells grid = judged(scene);
   EXPECT_EQ(at(grid, 1.175F, 0.025F), CellClass::kObstacle);
   EXPECT_TRUE(isDrivable(at(grid, 2.525F, 0.025F)));
 }
@@ -96,7 +96,7 @@ TEST(FloorSegmenter, ABoxBehindTheShadowOfARampIsNotItsContinuation) {
   scene.solids.push_back(sim::makeRamp(placed(1.1, -0.1), 6.0 * 0.0174533, 0.18, 0.9));
   scene.solids.push_back(
       sim::makeBox(placed(2.9, 1.05), {0.4, 0.45, 0.18}, sim::Surface::kBox18cm));
-  const FloorGrid grid = judged(scene);
+  const FloorCells grid = judged(scene);
   EXPECT_TRUE(isDrivable(at(grid, 2.9F, 0.0F)));  // the ramp's level end, as high as the box
   EXPECT_EQ(at(grid, 2.9F, 1.05F), CellClass::kObstacle);
 }
@@ -104,7 +104,7 @@ TEST(FloorSegmenter, ABoxBehindTheShadowOfARampIsNotItsContinuation) {
 TEST(FloorSegmenter, WithoutFloorAtTheRobotNothingIsDrivable) {
   sim::FloorScene scene;
   scene.solids.push_back(sim::makeGround(-0.4, sim::Surface::kLowerLevel));
-  const FloorGrid grid = judged(scene);
+  const FloorCells grid = judged(scene);
   EXPECT_EQ(count(grid, CellClass::kFloor) + count(grid, CellClass::kThreshold), 0U);
   EXPECT_GT(count(grid, CellClass::kObstacle) + count(grid, CellClass::kDropOff), 1000U);
 }
@@ -193,7 +193,7 @@ TEST(PointSplit, KeepsTheFloorAtTheFootOfABoxAndTheBoxApart) {
   scene.solids.push_back(sim::makeBox(placed(1.4, 0.0), {0.3, 0.5, 0.18}, sim::Surface::kBox18cm));
   const RenderedView picture(scene, usualMounting());
   FloorSegmenter segmenter(FloorParameters{});
-  const FloorGrid& grid = segmenter.segment(picture.view(), picture.T_base_optical());
+  const FloorCells& grid = segmenter.segment(picture.view(), picture.T_base_optical());
   std::vector<CellClass> classes;
   splitPoints(picture.view(), picture.T_base_optical(), grid, segmenter.parameters(), classes);
   ASSERT_EQ(classes.size(), picture.surfaces().size());

@@ -4,7 +4,7 @@
 #include <limits>
 #include <map>
 
-#include "nodelets/floor_settings.hpp"
+#include "doors/floor_settings.hpp"
 
 namespace pilothouse {
 namespace {

@@ -16,8 +16,8 @@ GridGeometry geometry() {
 
 /// A grid whose known cells have the heights of f(x, y).
 template <class Height>
-FloorGrid gridOf(Height f) {
-  FloorGrid grid;
+FloorCells gridOf(Height f) {
+  FloorCells grid;
   grid.geometry = geometry();
   const std::size_t cells = grid.geometry.cells();
   grid.classes.assign(cells, CellClass::kFloor);
@@ -32,7 +32,7 @@ FloorGrid gridOf(Height f) {
 }
 
 TEST(FloorSurface, ContinuesATiltedFloorOverAHole) {
-  const FloorGrid grid = gridOf([](float x, float y) { return 0.01F + 0.1F * x - 0.05F * y; });
+  const FloorCells grid = gridOf([](float x, float y) { return 0.01F + 0.1F * x - 0.05F * y; });
   std::vector<std::uint8_t> is_floor(grid.classes.size(), 1);
   for (int iy = 10; iy < 20; ++iy) {
     for (int ix = 20; ix < 30; ++ix) is_floor[grid.geometry.index(ix, iy)] = 0;
@@ -47,7 +47,7 @@ TEST(FloorSurface, ContinuesATiltedFloorOverAHole) {
 TEST(FloorSurface, FollowsTheFloorRoundThePlaceNotTheWhole) {
   // Level, then a ramp of 10 degrees.
   const auto height = [](float x, float) { return x < 1.5F ? 0.0F : 0.176F * (x - 1.5F); };
-  const FloorGrid grid = gridOf(height);
+  const FloorCells grid = gridOf(height);
   FloorSurface surface;
   surface.configure(grid.geometry);
   surface.fit(std::vector<std::uint8_t>(grid.classes.size(), 1), grid.heights);
@@ -56,7 +56,7 @@ TEST(FloorSurface, FollowsTheFloorRoundThePlaceNotTheWhole) {
 }
 
 TEST(FloorSurface, CellsAddedLaterCountLikeThoseOfTheFirstFit) {
-  const FloorGrid grid = gridOf([](float x, float y) { return 0.02F * x * x + 0.01F * y; });
+  const FloorCells grid = gridOf([](float x, float y) { return 0.02F * x * x + 0.01F * y; });
   FloorSurface whole, grown;
   whole.configure(grid.geometry);
   grown.configure(grid.geometry);
@@ -84,7 +84,7 @@ TEST(FloorSurface, WithoutFloorIsLevelWithTheRobot) {
 }
 
 TEST(FloorPatches, AStepLargerThanAllowedParts) {
-  const FloorGrid grid = gridOf([](float x, float) { return x < 1.5F ? 0.0F : 0.03F; });
+  const FloorCells grid = gridOf([](float x, float) { return x < 1.5F ? 0.0F : 0.03F; });
   FloorPatches patches;
   patches.configure(grid.geometry);
   const std::vector<std::uint8_t> even(grid.classes.size(), 1);
@@ -97,7 +97,7 @@ TEST(FloorPatches, AStepLargerThanAllowedParts) {
 }
 
 TEST(FloorPatches, CellsThatAreNotEvenBelongToNone) {
-  const FloorGrid grid = gridOf([](float, float) { return 0.0F; });
+  const FloorCells grid = gridOf([](float, float) { return 0.0F; });
   std::vector<std::uint8_t> even(grid.classes.size(), 1);
   for (int iy = 0; iy < grid.geometry.size_y; ++iy) even[grid.geometry.index(30, iy)] = 0;
   FloorPatches patches;
@@ -122,7 +122,7 @@ TEST(RaisedPart, FindsHowManyPointsAreHowHigh) {
 }
 
 TEST(NearFloor, IsThePlaneAtTheRobotNotTheRampBeyond) {
-  const FloorGrid grid = gridOf([](float x, float y) {
+  const FloorCells grid = gridOf([](float x, float y) {
     const float floor = 0.004F + 0.03F * x - 0.01F * y;
     return x < 0.9F ? floor : floor + 0.12F * (x - 0.9F);
   });
@@ -137,7 +137,7 @@ TEST(NearFloor, IsThePlaneAtTheRobotNotTheRampBeyond) {
 
 TEST(NearFloor, ASillRightBeforeTheRobotDoesNotTiltIt) {
   for (const float begin : {0.2F, 0.35F, 0.5F, 0.7F}) {
-    const FloorGrid grid = gridOf([&](float x, float y) {
+    const FloorCells grid = gridOf([&](float x, float y) {
       const float floor = 0.005F - 0.02F * x + 0.01F * y;
       return x > begin && x < begin + 0.15F ? floor + 0.02F : floor;
     });
@@ -151,7 +151,7 @@ TEST(NearFloor, ASillRightBeforeTheRobotDoesNotTiltIt) {
 }
 
 TEST(NearFloor, NeedsSomeFloor) {
-  const FloorGrid grid = gridOf([](float, float) { return 0.0F; });
+  const FloorCells grid = gridOf([](float, float) { return 0.0F; });
   std::vector<std::uint8_t> is_floor(grid.classes.size(), 0);
   for (std::size_t i = 0; i < 20; ++i) is_floor[i] = 1;
   NearFloor near;

@@ -1,5 +1,5 @@
 // A message from the same process must reach a guarded subscriber as the very object published.
-#include "nodelets/guarded_subscriber.hpp"
+#include "doors/guarded_subscriber.hpp"
 
 #include <gtest/gtest.h>
 #include <ros/callback_queue.h>

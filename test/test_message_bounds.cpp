@@ -71,7 +71,7 @@ Bytes cameraInfo(std::uint32_t claimed_d = 5) {
 /// One length that a FloorGrid or ObjectList claims; the bytes after it stay those of the good one.
 struct Claims {
   std::uint32_t frame = 6, classes = 2, heights = 2, deviations = 2, method = 8;
-  std::uint32_t source = 6, objects = 2;
+  std::uint32_t source = 6, sources = 1, source_name = 6, objects = 2;
 };
 Bytes floorGrid(const Claims& claims = {}) {
   return Wire()
@@ -96,8 +96,12 @@ Bytes objectList(const Claims& claims = {}) {
       .zeros(6)
       .u32(claims.source)
       .zeros(6)
+      .u32(claims.sources)
+      .u32(claims.source_name)
+      .zeros(6)
+      .zeros(12)
       .u32(claims.objects)
-      .zeros(36)
+      .zeros(42)
       .bytes;
 }
 
@@ -182,10 +186,10 @@ TEST(MessageBounds, RefusesAnyLengthOfAFloorGridThatLies) {
   EXPECT_EQ(refusal(&Claims::classes, 1500000000),
             "length of FloorGrid classes is 1500000000, expected 0 to 38");
   EXPECT_EQ(refusal(&Claims::heights, 0x40000001U),
-            "length of FloorGrid heights is 1073741825, expected 0 to 8");
+            "length of FloorCells heights is 1073741825, expected 0 to 8");
   EXPECT_EQ(refusal(&Claims::deviations, 6),
-            "length of FloorGrid deviations is 6, expected 0 to 5");
-  EXPECT_EQ(refusal(&Claims::method, 9), "length of FloorGrid method is 9, expected 0 to 8");
+            "length of FloorCells deviations is 6, expected 0 to 5");
+  EXPECT_EQ(refusal(&Claims::method, 9), "length of FloorCells method is 9, expected 0 to 8");
   // Too short: what follows is then read from the wrong place.
   EXPECT_NE(refusal(&Claims::classes, 1), "");
   EXPECT_NE(refusal(&Claims::heights, 1), "");
@@ -200,13 +204,16 @@ TEST(MessageBounds, RefusesAnyLengthOfAnObjectListThatLies) {
     const Bytes bytes = objectList(claims);
     return reason(objectListFault(bytes.data(), bytes.size()));
   };
-  EXPECT_EQ(refusal(&Claims::frame, 57), "length of frame_id is 57, expected 0 to 56");
-  EXPECT_EQ(refusal(&Claims::source, 47), "length of ObjectList source is 47, expected 0 to 46");
-  EXPECT_EQ(refusal(&Claims::objects, 0x0E38E38FU),  // times 18 is 14 in 32 bits
-            "length of ObjectList objects is 238609295, expected 0 to 2");
+  EXPECT_EQ(refusal(&Claims::frame, 57), "length of frame_id is 89, expected 0 to 88");
+  EXPECT_EQ(refusal(&Claims::source, 79), "length of ObjectList source is 79, expected 0 to 78");
+  EXPECT_EQ(refusal(&Claims::sources, 5), "length of ObjectList sources is 5, expected 0 to 4");
+  EXPECT_EQ(refusal(&Claims::source_name, 65),
+            "length of ObjectList source name is 65, expected 0 to 64");
+  EXPECT_EQ(refusal(&Claims::objects, 204522253U),  // times 21 is 17 in 32 bits
+            "length of ObjectList objects is 204522253, expected 0 to 2");
   EXPECT_EQ(refusal(&Claims::objects, 3), "length of ObjectList objects is 3, expected 0 to 2");
   EXPECT_EQ(refusal(&Claims::objects, 1),
-            "length of bytes after the message is 18, expected 0 to 0");
+            "length of bytes after the message is 21, expected 0 to 0");
 }
 
 TEST(MessageBounds, RefusesMoreCellsOrObjectsThanAnyFloorHas) {
@@ -231,8 +238,9 @@ TEST(MessageBounds, RefusesMoreCellsOrObjectsThanAnyFloorHas) {
     const Bytes bytes = Wire()
                             .header()
                             .text("camera")
+                            .u32(0)
                             .u32(static_cast<std::uint32_t>(objects))
-                            .zeros(18 * objects)
+                            .zeros(21 * objects)
                             .bytes;
     return reason(objectListFault(bytes.data(), bytes.size()));
   };

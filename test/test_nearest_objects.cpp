@@ -8,8 +8,8 @@
 namespace pilothouse {
 namespace {
 
-FloorGrid rowOf(std::vector<CellClass> classes, float x_min) {
-  FloorGrid grid;
+FloorCells rowOf(std::vector<CellClass> classes, float x_min) {
+  FloorCells grid;
   grid.geometry = {x_min, 0.0F, 0.1F, static_cast<int>(classes.size()), 1};
   grid.heights.assign(classes.size(), 0.0F);
   grid.classes = std::move(classes);
@@ -55,7 +55,7 @@ TEST(NearestObjects, AnEmptyOrUnknownRowHasNone) {
 
 /// The nearest of a row by its definition: of all obstacle or drop-off cells that reach beyond x =
 /// 0 the one of the smallest x; -1 without any.
-int nearestByDefinition(const FloorGrid& grid, int iy) {
+int nearestByDefinition(const FloorCells& grid, int iy) {
   const GridGeometry& g = grid.geometry;
   int nearest = -1;
   for (int ix = g.size_x - 1; ix >= 0; --ix) {
@@ -71,7 +71,7 @@ TEST(NearestObjects, AgreesWithTheDefinitionOnRandomGrids) {
   std::mt19937 random(7);
   NearestObjects nearest;
   for (int trial = 0; trial < 500; ++trial) {
-    const FloorGrid grid = randomGrid(random);
+    const FloorCells grid = randomGrid(random);
     const GridGeometry& g = grid.geometry;
     const auto& objects = nearest.find(grid);
     std::vector<int> marked(static_cast<std::size_t>(g.size_y), -1);

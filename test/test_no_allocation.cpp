@@ -149,7 +149,7 @@ TEST_P(NoAllocationTest, SegmentingAllocatesNothingAfterTheFirstFrames) {
 }
 
 TEST_F(NoAllocationTest, ListingObjectsAndScanningAllocateNothingAfterTheFirstFrames) {
-  FloorGrid grid;
+  FloorCells grid;
   grid.geometry = {0.2F, -2.5F, 0.05F, 76, 100};
   NearestObjects nearest;
   VirtualScan scan;

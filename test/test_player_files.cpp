@@ -11,8 +11,8 @@
 #include <random>
 #include <string>
 
+#include "doors/message_views.hpp"
 #include "nodelets/depth_folder.hpp"
-#include "nodelets/message_views.hpp"
 #include "nodelets/pcd_file.hpp"
 
 namespace pilothouse {

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "nodelets/robot_description.hpp"
+#include <fstream>
+
+#include "doors/robot_description.hpp"
 
 namespace pilothouse {
 namespace {
@@ -86,6 +88,41 @@ TEST(RobotDescription, RefusesUnknownKeysAndFloorParametersOutOfRange) {
   robot = goodRobot();
   robot["floor"]["cell_size"] = -1.0;
   EXPECT_NE(faultOf(robot).find("/robot/floor: cell_size is -1"), std::string::npos);
+}
+
+TEST(RobotDescription, ReadsTheFilesOfThePackage) {
+  for (const std::string name : {"platform", "docker", "striker"}) {
+    const auto robot = readRobotFile(PILOTHOUSE_SOURCE "/config/robots/" + name + ".yaml");
+    ASSERT_TRUE(robot) << robot.reason();
+    EXPECT_EQ(robot->name, name);
+    EXPECT_GE(robot->outline().corners().size(), 4U);
+  }
+}
+
+TEST(RobotDescription, AFileThatIsNoneIsRefusedByName) {
+  EXPECT_EQ(readRobotFile("/nowhere/robot.yaml").reason(), "/nowhere/robot.yaml: cannot be read");
+  const std::string path = testing::TempDir() + "pilothouse_robot.yaml";
+  std::ofstream(path) << "name: [";
+  EXPECT_EQ(readRobotFile(path).reason().substr(0, path.size() + 10), path + ": not YAML");
+  std::ofstream(path) << "name: 7\ncamera: {x: far}";
+  const std::string reason = readRobotFile(path).reason();
+  EXPECT_NE(reason.find(path + ": name is 7 (an int)"), std::string::npos) << reason;
+  EXPECT_NE(reason.find(path + "/camera: x is \"far\""), std::string::npos) << reason;
+}
+
+TEST(RobotDescription, RefusesDrivesRangersAndAvoidanceOutOfRange) {
+  XmlRpcValue robot = goodRobot();
+  robot["drive"]["max_speed"] = 99.0;
+  robot["avoidance"]["confirm_frames"] = 8;
+  robot["rangers"][0]["name"] = "front left";
+  const std::string faults = faultOf(robot);
+  EXPECT_NE(
+      faults.find("/robot/drive: max_speed is 99 (a double), expected a number from 0.01 to 10"),
+      std::string::npos)
+      << faults;
+  EXPECT_NE(faults.find("avoidance: confirm_frames is 8, expected 1 to 3"), std::string::npos);
+  EXPECT_NE(faults.find("/robot/rangers[0]: name is \"front left\""), std::string::npos);
+  EXPECT_NE(faults.find("/robot/rangers[0]: x is missing"), std::string::npos);
 }
 
 TEST(RobotDescription, APitchedCameraLooksDown) {

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "nodelets/strict_parameters.hpp"
+#include "doors/strict_parameters.hpp"
 
 namespace pilothouse {
 namespace {

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-FloorGrid gridOf(CellClass everywhere) {
-  FloorGrid grid;
+FloorCells gridOf(CellClass everywhere) {
+  FloorCells grid;
   grid.geometry = {0.2F, -2.5F, 0.05F, 76, 100};
   grid.classes.assign(grid.geometry.cells(), everywhere);
   return grid;
@@ -37,7 +37,7 @@ TEST(VirtualScan, FreeFloorIsInfiniteUnknownIsNoMeasurement) {
 TEST(VirtualScan, AnObstacleOrDropOffIsSeenAtItsNearEdgeAndOnlyThere) {
   VirtualScan scan;
   for (const CellClass kind : {CellClass::kObstacle, CellClass::kDropOff}) {
-    FloorGrid grid = gridOf(CellClass::kFloor);
+    FloorCells grid = gridOf(CellClass::kFloor);
     grid.classes[grid.geometry.index(16, 50)] = kind;  // x 1.00..1.05, y 0..0.05
     const auto ranges = scan.scan(grid);
     EXPECT_NEAR(ranges[beamAt(scan.geometry(), std::atan2(0.025, 1.025))], 1.0, 1e-5);
@@ -48,7 +48,7 @@ TEST(VirtualScan, AnObstacleOrDropOffIsSeenAtItsNearEdgeAndOnlyThere) {
 
 TEST(VirtualScan, TheNearerOfTwoWins) {
   VirtualScan scan;
-  FloorGrid grid = gridOf(CellClass::kFloor);
+  FloorCells grid = gridOf(CellClass::kFloor);
   for (const int ix : {60, 16, 40})
     grid.classes[grid.geometry.index(ix, 50)] = CellClass::kObstacle;
   EXPECT_NEAR(scan.scan(grid)[beamAt(scan.geometry(), 0.025)], 1.0, 1e-5);
@@ -56,7 +56,7 @@ TEST(VirtualScan, TheNearerOfTwoWins) {
 
 TEST(VirtualScan, InsideAnObstacleEverythingIsTooClose) {
   VirtualScan scan;
-  FloorGrid grid;
+  FloorCells grid;
   grid.geometry = {-0.25F, -0.25F, 0.1F, 5, 5};
   grid.classes.assign(25, CellClass::kFloor);
   grid.classes[grid.geometry.index(2, 2)] = CellClass::kObstacle;
@@ -94,7 +94,7 @@ bool touches(double x0, double x1, double y0, double y1, double low, double high
 }
 
 /// @param margin the sector is widened by this (may be negative) [rad].
-float rangeByDefinition(const FloorGrid& grid, double bearing, double half, double margin) {
+float rangeByDefinition(const FloorCells& grid, double bearing, double half, double margin) {
   const GridGeometry& g = grid.geometry;
   double nearest = std::numeric_limits<double>::infinity();
   bool seen = false;
@@ -125,7 +125,7 @@ TEST(VirtualScan, AgreesWithTheDefinitionOnRandomGrids) {
   VirtualScan scan;
   int compared = 0, on_the_edge = 0;
   for (int trial = 0; trial < 60; ++trial) {
-    const FloorGrid grid = randomGrid(random);
+    const FloorCells grid = randomGrid(random);
     const auto& ranges = scan.scan(grid);
     const ScanGeometry& g = scan.geometry();
     ASSERT_EQ(ranges.size(), static_cast<std::size_t>(g.beams));

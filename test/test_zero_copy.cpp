@@ -82,11 +82,11 @@ void expectOneObjectAllTheWay(FloorHarness& harness, const std::string& camera_t
                               const std::function<void(double)>& before_each) {
   constexpr std::size_t kFrames = 60;
   ASSERT_TRUE(harness.load());
-  Witness<FloorGridMessage> grids(harness.handle(), "floor_grid");
+  Witness<FloorGrid> grids(harness.handle(), "floor_grid");
   ASSERT_TRUE(harness.waitForListener());
   // The last subscriber of the camera comes after the nodelet.
   Witness<M> last(harness.handle(), camera_topic);
-  Witness<FloorGridMessage> last_grids(harness.handle(), "floor_grid");
+  Witness<FloorGrid> last_grids(harness.handle(), "floor_grid");
   Witness<ObjectList> objects(harness.handle(), "objects/camera");
   Witness<sensor_msgs::PointCloud2> points(harness.handle(), "obstacle_points");
 

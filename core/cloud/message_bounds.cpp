@@ -132,10 +132,16 @@ std::optional<LengthFault> floorGridFault(const std::uint8_t* bytes, std::size_t
 
 std::optional<LengthFault> objectListFault(const std::uint8_t* bytes, std::size_t size,
                                            const MessageBounds& bounds) {
-  constexpr std::uint64_t kObject = 3 * 4 + 4 + 1 + 1;  // position, size, kind, nearest_in_row
+  constexpr std::uint64_t kObject = 3 * 4 + 4 + 5;   // position, size, five bytes
+  constexpr std::uint64_t kLeastSource = 4 + 8 + 4;  // empty name, stamp, age
   WireWalk walk(bytes, size);
   walk.header(bounds);
   walk.array("ObjectList source", bounds.max_text, 1);
+  const std::uint32_t sources = walk.count("ObjectList sources", bounds.max_sources, kLeastSource);
+  for (std::uint32_t i = 0; i < sources; ++i) {
+    walk.array("ObjectList source name", bounds.max_text, 1);
+    walk.skip(12, "ObjectList source");
+  }
   walk.array("ObjectList objects", bounds.max_objects, kObject);
   return walk.end();
 }

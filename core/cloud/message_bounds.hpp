@@ -15,6 +15,7 @@ struct MessageBounds {
   std::size_t max_coefficients = 64;            ///< distortion coefficients of a CameraInfo
   std::size_t max_cells = 1000000;              ///< entries of each of a FloorGrid's arrays
   std::size_t max_objects = 1000000;            ///< entries of an ObjectList
+  std::size_t max_sources = 64;                 ///< sources that an ObjectList names
 };
 
 /// A length in a serialised message that does not fit its bytes or its bounds.

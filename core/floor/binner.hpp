@@ -7,7 +7,7 @@
 #include "core/cloud/depth_view.hpp"
 #include "core/floor/binning_kernel.hpp"
 #include "core/floor/cell_moments.hpp"
-#include "core/floor/floor_grid.hpp"
+#include "core/floor/floor_cells.hpp"
 
 namespace pilothouse {
 

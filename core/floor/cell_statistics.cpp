@@ -20,7 +20,7 @@ float spread(const CellMoments& m) {
 }  // namespace
 
 void fillStatistics(const std::vector<CellMoments>& moments, const HeightScale& scale,
-                    int min_points, FloorGrid& grid) {
+                    int min_points, FloorCells& grid) {
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
   const auto fewest = static_cast<std::uint32_t>(min_points);
   for (std::size_t i = 0; i < moments.size(); ++i) {

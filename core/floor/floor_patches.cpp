@@ -11,7 +11,7 @@ void FloorPatches::configure(const GridGeometry& geometry) {
   patch_of_.assign(geometry.cells(), -1);
 }
 
-void FloorPatches::find(const FloorGrid& grid, const std::vector<std::uint8_t>& even,
+void FloorPatches::find(const FloorCells& grid, const std::vector<std::uint8_t>& even,
                         float step_height) {
   constexpr std::int32_t kOpen = -2;
   const auto size_x = static_cast<std::uint32_t>(grid.geometry.size_x);

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/floor/floor_grid.hpp"
+#include "core/floor/floor_cells.hpp"
 
 namespace pilothouse {
 
@@ -20,7 +20,7 @@ class FloorPatches {
  public:
   void configure(const GridGeometry& geometry);
   /// @param even one entry a cell, non-zero where the cell is even; @param step_height [m].
-  void find(const FloorGrid& grid, const std::vector<std::uint8_t>& even, float step_height);
+  void find(const FloorCells& grid, const std::vector<std::uint8_t>& even, float step_height);
 
   const std::vector<FloorPatch>& patches() const { return patches_; }
   const std::vector<std::uint32_t>& cells() const { return cells_; }

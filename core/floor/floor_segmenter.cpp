@@ -43,7 +43,7 @@ struct FloorSegmenter::Impl {
   MountingCalibrator calibrator;
   NearFloor near_floor;
   std::vector<std::uint8_t> is_floor;
-  FloorGrid grid;
+  FloorCells grid;
   Eigen::Isometry3f T_used = Eigen::Isometry3f::Identity();
 
   /// @return the plane that the robot stands on, where it shows.
@@ -55,7 +55,7 @@ struct FloorSegmenter::Impl {
   }
 
   template <class View>
-  const FloorGrid& segment(const View& view, const Eigen::Isometry3f& T_configured) {
+  const FloorCells& segment(const View& view, const Eigen::Isometry3f& T_configured) {
     T_used = parameters.calibrate_mounting ? calibrator.corrected(T_configured) : T_configured;
     fillStatistics(binner.bin(view, T_used), scale, parameters.min_points, grid);
     if (const auto plane = judge()) calibrator.add(*plane, T_used, T_configured);
@@ -78,7 +78,7 @@ void FloorSegmenter::setParameters(const FloorParameters& p) {
   }
   impl_->parameters = p;
   impl_->scale = scaleOf(p);
-  FloorGrid& grid = impl_->grid;
+  FloorCells& grid = impl_->grid;
   grid.geometry = geometryOf(p);
   impl_->binner.configure(grid.geometry, impl_->scale);
   impl_->improved.configure(p, grid.geometry);
@@ -106,13 +106,13 @@ void FloorSegmenter::reset() {
   impl_->calibrator.reset();
 }
 
-const FloorGrid& FloorSegmenter::segment(const CloudView& cloud,
-                                         const Eigen::Isometry3f& T_base_camera) {
+const FloorCells& FloorSegmenter::segment(const CloudView& cloud,
+                                          const Eigen::Isometry3f& T_base_camera) {
   return impl_->segment(cloud, T_base_camera);
 }
 
-const FloorGrid& FloorSegmenter::segment(const DepthView& depth,
-                                         const Eigen::Isometry3f& T_base_optical) {
+const FloorCells& FloorSegmenter::segment(const DepthView& depth,
+                                          const Eigen::Isometry3f& T_base_optical) {
   return impl_->segment(depth, T_base_optical);
 }
 

@@ -6,7 +6,7 @@
 #include "core/cloud/cloud_view.hpp"
 #include "core/cloud/depth_view.hpp"
 #include "core/floor/binner.hpp"
-#include "core/floor/floor_grid.hpp"
+#include "core/floor/floor_cells.hpp"
 #include "core/floor/floor_parameters.hpp"
 #include "core/floor/mounting_calibrator.hpp"
 
@@ -30,9 +30,9 @@ class FloorSegmenter {
   /// @param T_base_camera takes points from the cloud's frame into the base frame; finite. The
   ///   frame is an optical one (x right, y down, z forward), as camera drivers publish clouds.
   /// @return the grid, valid until the next call.
-  const FloorGrid& segment(const CloudView& cloud, const Eigen::Isometry3f& T_base_camera);
+  const FloorCells& segment(const CloudView& cloud, const Eigen::Isometry3f& T_base_camera);
   /// @param T_base_optical from the optical frame (x right, y down, z forward).
-  const FloorGrid& segment(const DepthView& depth, const Eigen::Isometry3f& T_base_optical);
+  const FloorCells& segment(const DepthView& depth, const Eigen::Isometry3f& T_base_optical);
 
   /// What the floor says of the mounting; learnt from every frame, used when the parameter
   /// calibrate_mounting is set.

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/floor/floor_grid.hpp"
+#include "core/floor/floor_cells.hpp"
 
 namespace pilothouse {
 

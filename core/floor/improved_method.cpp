@@ -34,7 +34,7 @@ void ImprovedMethod::configure(const FloorParameters& parameters, const GridGeom
 }
 
 std::optional<FloorSlope> ImprovedMethod::judge(const Eigen::Isometry3f& T_base_camera,
-                                                FloorGrid& grid) {
+                                                FloorCells& grid) {
   home_.reset();
   updateNoise(T_base_camera);
   findEven(grid);
@@ -74,7 +74,7 @@ void ImprovedMethod::updateNoise(const Eigen::Isometry3f& T_base_camera) {
   }
 }
 
-void ImprovedMethod::findEven(const FloorGrid& grid) {
+void ImprovedMethod::findEven(const FloorCells& grid) {
   const auto limit = static_cast<float>(parameters_.obstacle_deviation);
   const float variance_limit = limit * limit;
   for (std::size_t i = 0; i < even_.size(); ++i) {
@@ -85,7 +85,7 @@ void ImprovedMethod::findEven(const FloorGrid& grid) {
 }
 
 /// The patch with the most cells near the robot at about its height, or -1.
-int ImprovedMethod::robotPatch(const FloorGrid& grid) {
+int ImprovedMethod::robotPatch(const FloorCells& grid) {
   int nearest = 0;
   while (nearest < geometry_.size_x && !hasEvenCell(nearest)) ++nearest;
   const int end =
@@ -116,7 +116,7 @@ bool ImprovedMethod::hasEvenCell(int ix) const {
 
 /// Median difference between the patch's heights and those expected at (ix, iy) [m].
 template <class Expected>
-float ImprovedMethod::patchOffset(const FloorPatch& patch, const FloorGrid& grid,
+float ImprovedMethod::patchOffset(const FloorPatch& patch, const FloorCells& grid,
                                   Expected expected) {
   offsets_.clear();
   const std::uint32_t stride = std::max<std::uint32_t>(1, patch.size / kOffsetSamples);
@@ -130,7 +130,7 @@ float ImprovedMethod::patchOffset(const FloorPatch& patch, const FloorGrid& grid
   return *middle;
 }
 
-void ImprovedMethod::joinIslands(const FloorGrid& grid, const Eigen::Vector3f& camera) {
+void ImprovedMethod::joinIslands(const FloorCells& grid, const Eigen::Vector3f& camera) {
   const auto from_home = [&](int ix, int iy) {
     return static_cast<float>(home_->at(geometry_.centreX(ix), geometry_.centreY(iy)));
   };
@@ -157,7 +157,7 @@ void ImprovedMethod::joinIslands(const FloorGrid& grid, const Eigen::Vector3f& c
 /// Decides by the heights expected whether a patch that is not floor yet joins, lies above or
 /// below.
 template <class Expected>
-void ImprovedMethod::sort(std::size_t number, const FloorGrid& grid, Expected expected) {
+void ImprovedMethod::sort(std::size_t number, const FloorCells& grid, Expected expected) {
   if (kinds_[number] == PatchKind::kFloor) return;
   const FloorPatch& patch = patches_.patches()[number];
   const float offset = patchOffset(patch, grid, expected);
@@ -173,7 +173,7 @@ void ImprovedMethod::sort(std::size_t number, const FloorGrid& grid, Expected ex
 /// Whether the patch is the top of something: right before it, on the camera's side, stands a face.
 /// Floor that something hides begins behind a shadow instead.
 bool ImprovedMethod::isTop(std::size_t number, const Eigen::Vector3f& camera,
-                           const FloorGrid& grid) const {
+                           const FloorCells& grid) const {
   const FloorPatch& patch = patches_.patches()[number];
   int fronts = 0, faces = 0;
   for (std::uint32_t k = 0; k < patch.size; ++k) {
@@ -193,7 +193,7 @@ bool ImprovedMethod::isTop(std::size_t number, const Eigen::Vector3f& camera,
 }
 
 /// Makes the patches of a kind floor; false where there are none.
-bool ImprovedMethod::takeIn(PatchKind kind, const FloorGrid& grid) {
+bool ImprovedMethod::takeIn(PatchKind kind, const FloorCells& grid) {
   bool any = false;
   for (std::size_t number = 0; number < kinds_.size(); ++number) {
     if (kinds_[number] != kind) continue;
@@ -210,7 +210,7 @@ bool ImprovedMethod::takeIn(PatchKind kind, const FloorGrid& grid) {
 
 /// Height of the floor at a cell: the surface round it, lowered to the floor cells that touch it,
 /// so that neither a sill in the window nor the thing to be judged lifts it [m].
-float ImprovedMethod::floorAt(int ix, int iy, const FloorGrid& grid) {
+float ImprovedMethod::floorAt(int ix, int iy, const FloorCells& grid) {
   float lowest = 0.0F;
   for (int y = std::max(0, iy - 1); y <= std::min(geometry_.size_y - 1, iy + 1); ++y) {
     for (int x = std::max(0, ix - 1); x <= std::min(geometry_.size_x - 1, ix + 1); ++x) {
@@ -222,7 +222,7 @@ float ImprovedMethod::floorAt(int ix, int iy, const FloorGrid& grid) {
 }
 
 /// Whether few points of something high hide among the many of an even cell's floor.
-bool ImprovedMethod::hidesRaisedPart(std::size_t i, float variance, const FloorGrid& grid) {
+bool ImprovedMethod::hidesRaisedPart(std::size_t i, float variance, const FloorCells& grid) {
   // The height found is largest where the cell's mean is not raised at all.
   if (variance <= kFloorSlack * (highStep() - kFloorSlack)) return false;
   const int ix = static_cast<int>(i) % geometry_.size_x;
@@ -238,7 +238,7 @@ bool ImprovedMethod::hidesRaisedPart(std::size_t i, float variance, const FloorG
          part.points < 0.5F * static_cast<float>(grid.counts[i]);
 }
 
-CellClass ImprovedMethod::judgeFloorCell(std::size_t i, const FloorGrid& grid) {
+CellClass ImprovedMethod::judgeFloorCell(std::size_t i, const FloorCells& grid) {
   const auto threshold = static_cast<float>(parameters_.threshold_deviation);
   const float variance = grid.deviations[i] * grid.deviations[i] - noise_variance_[i];
   if (hidesRaisedPart(i, variance, grid)) return CellClass::kObstacle;
@@ -246,7 +246,7 @@ CellClass ImprovedMethod::judgeFloorCell(std::size_t i, const FloorGrid& grid) {
 }
 
 /// The class of a cell that is not even.
-CellClass ImprovedMethod::judgeUnevenCell(std::size_t i, const FloorGrid& grid) {
+CellClass ImprovedMethod::judgeUnevenCell(std::size_t i, const FloorCells& grid) {
   const int cell = static_cast<int>(i);
   const float floor = floorAt(cell % geometry_.size_x, cell / geometry_.size_x, grid);
   const float excess = grid.heights[i] - floor;
@@ -262,7 +262,7 @@ CellClass ImprovedMethod::judgeUnevenCell(std::size_t i, const FloorGrid& grid) 
                                                                : CellClass::kObstacle;
 }
 
-void ImprovedMethod::classify(FloorGrid& grid) {
+void ImprovedMethod::classify(FloorCells& grid) {
   const std::vector<std::int32_t>& patch_of = patches_.patchOf();
   for (std::size_t i = 0; i < grid.classes.size(); ++i) {
     if (grid.classes[i] == CellClass::kUnknown) continue;
@@ -286,7 +286,7 @@ void ImprovedMethod::classify(FloorGrid& grid) {
   }
 }
 
-void ImprovedMethod::markHiddenByEdge(const Eigen::Vector3f& camera, FloorGrid& grid) {
+void ImprovedMethod::markHiddenByEdge(const Eigen::Vector3f& camera, FloorCells& grid) {
   for (std::size_t i = 0; i < grid.classes.size(); ++i) {
     // Cells marked here have no height and start no walk of their own.
     if (grid.classes[i] != CellClass::kDropOff || std::isnan(grid.heights[i])) continue;

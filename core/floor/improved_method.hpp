@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/floor/floor_grid.hpp"
+#include "core/floor/floor_cells.hpp"
 #include "core/floor/floor_parameters.hpp"
 #include "core/floor/floor_patches.hpp"
 #include "core/floor/floor_surface.hpp"
@@ -26,7 +26,7 @@ class ImprovedMethod {
   /// @param grid with statistics filled in; its classes are overwritten.
   /// @param T_base_camera from the camera's optical frame into the base frame.
   /// @return the plane that the robot stands on, where enough of it shows.
-  std::optional<FloorSlope> judge(const Eigen::Isometry3f& T_base_camera, FloorGrid& grid);
+  std::optional<FloorSlope> judge(const Eigen::Isometry3f& T_base_camera, FloorCells& grid);
 
  private:
   enum class PatchKind : std::uint8_t { kUndecided, kJoining, kFloor, kAbove, kBelow };
@@ -35,22 +35,22 @@ class ImprovedMethod {
   float highStep() const { return 1.2F * static_cast<float>(parameters_.step_height); }
   float fewestPoints() const { return static_cast<float>(parameters_.min_points) - 0.5F; }
   void updateNoise(const Eigen::Isometry3f& T_base_camera);
-  void findEven(const FloorGrid& grid);
-  int robotPatch(const FloorGrid& grid);
+  void findEven(const FloorCells& grid);
+  int robotPatch(const FloorCells& grid);
   bool hasEvenCell(int ix) const;
-  void joinIslands(const FloorGrid& grid, const Eigen::Vector3f& camera);
+  void joinIslands(const FloorCells& grid, const Eigen::Vector3f& camera);
   template <class Expected>
-  void sort(std::size_t number, const FloorGrid& grid, Expected expected);
-  bool isTop(std::size_t number, const Eigen::Vector3f& camera, const FloorGrid& grid) const;
-  bool takeIn(PatchKind kind, const FloorGrid& grid);
+  void sort(std::size_t number, const FloorCells& grid, Expected expected);
+  bool isTop(std::size_t number, const Eigen::Vector3f& camera, const FloorCells& grid) const;
+  bool takeIn(PatchKind kind, const FloorCells& grid);
   template <class Expected>
-  float patchOffset(const FloorPatch& patch, const FloorGrid& grid, Expected expected);
-  float floorAt(int ix, int iy, const FloorGrid& grid);
-  bool hidesRaisedPart(std::size_t i, float variance, const FloorGrid& grid);
-  CellClass judgeFloorCell(std::size_t i, const FloorGrid& grid);
-  CellClass judgeUnevenCell(std::size_t i, const FloorGrid& grid);
-  void classify(FloorGrid& grid);
-  void markHiddenByEdge(const Eigen::Vector3f& camera, FloorGrid& grid);
+  float patchOffset(const FloorPatch& patch, const FloorCells& grid, Expected expected);
+  float floorAt(int ix, int iy, const FloorCells& grid);
+  bool hidesRaisedPart(std::size_t i, float variance, const FloorCells& grid);
+  CellClass judgeFloorCell(std::size_t i, const FloorCells& grid);
+  CellClass judgeUnevenCell(std::size_t i, const FloorCells& grid);
+  void classify(FloorCells& grid);
+  void markHiddenByEdge(const Eigen::Vector3f& camera, FloorCells& grid);
 
   FloorParameters parameters_;
   GridGeometry geometry_;

@@ -40,7 +40,7 @@ void NearFloor::configure(const GridGeometry& geometry) {
 }
 
 /// Lists the floor cells within the last round's reach, nearest first.
-void NearFloor::gather(const std::vector<std::uint8_t>& is_floor, const FloorGrid& grid) {
+void NearFloor::gather(const std::vector<std::uint8_t>& is_floor, const FloorCells& grid) {
   const GridGeometry& g = grid.geometry;
   count_ = 0;
   float end = std::numeric_limits<float>::infinity();
@@ -103,7 +103,7 @@ std::optional<FloorSlope> NearFloor::start() {
 }
 
 std::optional<FloorSlope> NearFloor::fit(const std::vector<std::uint8_t>& is_floor,
-                                         const FloorGrid& grid) {
+                                         const FloorCells& grid) {
   gather(is_floor, grid);
   if (count_ < kFewestCells) return std::nullopt;
   std::optional<FloorSlope> plane = start();

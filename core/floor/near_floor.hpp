@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/floor/floor_grid.hpp"
+#include "core/floor/floor_cells.hpp"
 #include "core/floor/floor_surface.hpp"
 
 namespace pilothouse {
@@ -17,7 +17,7 @@ class NearFloor {
   /// Robust fit that starts with the nearest floor and grows outward; what leaves the plane, such
   /// as the foot of a ramp, falls out. @param is_floor one entry a cell, non-zero for floor.
   /// @return nothing where too little floor is seen.
-  std::optional<FloorSlope> fit(const std::vector<std::uint8_t>& is_floor, const FloorGrid& grid);
+  std::optional<FloorSlope> fit(const std::vector<std::uint8_t>& is_floor, const FloorCells& grid);
 
  private:
   struct Range {
@@ -31,7 +31,7 @@ class NearFloor {
            static_cast<float>(plane.slope_x) * x_.segment(range.first, range.count) -
            static_cast<float>(plane.slope_y) * y_.segment(range.first, range.count);
   }
-  void gather(const std::vector<std::uint8_t>& is_floor, const FloorGrid& grid);
+  void gather(const std::vector<std::uint8_t>& is_floor, const FloorCells& grid);
 
   Eigen::Index count_ = 0;                  // cells listed at the head of:
   Eigen::ArrayXf x_, y_, height_, weight_;  // [m]; weight_ is scratch

@@ -5,7 +5,7 @@
 
 namespace pilothouse {
 
-const std::vector<GridObject>& NearestObjects::find(const FloorGrid& grid) {
+const std::vector<GridObject>& NearestObjects::find(const FloorCells& grid) {
   const GridGeometry& g = grid.geometry;
   objects_.clear();
   objects_.reserve(g.cells());

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/floor/floor_grid.hpp"
+#include "core/floor/floor_cells.hpp"
 
 namespace pilothouse {
 
@@ -21,7 +21,7 @@ class NearestObjects {
  public:
   /// @return every threshold, obstacle and drop-off cell, row by row (iy) and forward (ix) in each
   /// row; valid until the next call.
-  const std::vector<GridObject>& find(const FloorGrid& grid);
+  const std::vector<GridObject>& find(const FloorCells& grid);
 
  private:
   std::vector<GridObject> objects_;

@@ -2,7 +2,7 @@
 
 namespace pilothouse {
 
-void judgeOriginal(const FloorParameters& parameters, FloorGrid& grid) {
+void judgeOriginal(const FloorParameters& parameters, FloorCells& grid) {
   const auto limit = static_cast<float>(parameters.obstacle_deviation);
   for (std::size_t i = 0; i < grid.classes.size(); ++i) {
     if (grid.classes[i] == CellClass::kUnknown) continue;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/floor/floor_grid.hpp"
+#include "core/floor/floor_cells.hpp"
 #include "core/floor/floor_parameters.hpp"
 
 namespace pilothouse {
@@ -9,6 +9,6 @@ namespace pilothouse {
 /// obstacle, every other known cell is floor. Knows neither thresholds nor drop-offs.
 /// Source: KTU master thesis on obstacle avoidance with a Kinect, 2014.
 /// @param grid with statistics filled in; its classes are overwritten.
-void judgeOriginal(const FloorParameters& parameters, FloorGrid& grid);
+void judgeOriginal(const FloorParameters& parameters, FloorCells& grid);
 
 }  // namespace pilothouse

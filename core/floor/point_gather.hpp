@@ -5,7 +5,7 @@
 
 #include "core/cloud/cloud_view.hpp"
 #include "core/cloud/depth_view.hpp"
-#include "core/floor/floor_grid.hpp"
+#include "core/floor/floor_cells.hpp"
 
 namespace pilothouse {
 

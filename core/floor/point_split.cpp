@@ -10,7 +10,7 @@ namespace {
 
 class Splitter {
  public:
-  Splitter(const FloorGrid& grid, const FloorParameters& parameters)
+  Splitter(const FloorCells& grid, const FloorParameters& parameters)
       : grid_(grid), parameters_(parameters), step_(static_cast<float>(parameters.step_height)) {
     std::vector<std::uint8_t> is_floor(grid.classes.size(), 0);
     for (std::size_t i = 0; i < is_floor.size(); ++i) {
@@ -46,7 +46,7 @@ class Splitter {
   }
 
  private:
-  const FloorGrid& grid_;
+  const FloorCells& grid_;
   const FloorParameters& parameters_;
   float step_;
   FloorSurface surface_;
@@ -56,7 +56,7 @@ class Splitter {
 }  // namespace
 
 void splitPoints(const CloudView& cloud, const Eigen::Isometry3f& T_base_camera,
-                 const FloorGrid& grid, const FloorParameters& parameters,
+                 const FloorCells& grid, const FloorParameters& parameters,
                  std::vector<CellClass>& out) {
   const Splitter splitter(grid, parameters);
   out.resize(cloud.points());
@@ -69,7 +69,7 @@ void splitPoints(const CloudView& cloud, const Eigen::Isometry3f& T_base_camera,
 }
 
 void splitPoints(const DepthView& depth, const Eigen::Isometry3f& T_base_optical,
-                 const FloorGrid& grid, const FloorParameters& parameters,
+                 const FloorCells& grid, const FloorParameters& parameters,
                  std::vector<CellClass>& out) {
   const Splitter splitter(grid, parameters);
   const Intrinsics& k = depth.intrinsics();

@@ -5,7 +5,7 @@
 
 #include "core/cloud/cloud_view.hpp"
 #include "core/cloud/depth_view.hpp"
-#include "core/floor/floor_grid.hpp"
+#include "core/floor/floor_cells.hpp"
 #include "core/floor/floor_parameters.hpp"
 
 namespace pilothouse {
@@ -15,10 +15,10 @@ namespace pilothouse {
 /// the box does not become floor.
 /// @param out one class a point, row by row; unknown where the point is invalid or off the grid.
 void splitPoints(const CloudView& cloud, const Eigen::Isometry3f& T_base_camera,
-                 const FloorGrid& grid, const FloorParameters& parameters,
+                 const FloorCells& grid, const FloorParameters& parameters,
                  std::vector<CellClass>& out);
 void splitPoints(const DepthView& depth, const Eigen::Isometry3f& T_base_optical,
-                 const FloorGrid& grid, const FloorParameters& parameters,
+                 const FloorCells& grid, const FloorParameters& parameters,
                  std::vector<CellClass>& out);
 
 }  // namespace pilothouse

@@ -73,7 +73,7 @@ VirtualScan::Sector VirtualScan::sectorOf(const GridGeometry& grid, int ix, int 
   return sector;
 }
 
-const std::vector<float>& VirtualScan::scan(const FloorGrid& grid) {
+const std::vector<float>& VirtualScan::scan(const FloorCells& grid) {
   constexpr float kFree = std::numeric_limits<float>::infinity();
   constexpr float kUnseen = std::numeric_limits<float>::quiet_NaN();
   if (!sameGeometry(grid.geometry, grid_)) prepare(grid.geometry);

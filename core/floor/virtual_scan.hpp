@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/floor/floor_grid.hpp"
+#include "core/floor/floor_cells.hpp"
 
 namespace pilothouse {
 
@@ -26,7 +26,7 @@ struct ScanGeometry {
 class VirtualScan {
  public:
   /// @return one range a beam [m], valid until the next call.
-  const std::vector<float>& scan(const FloorGrid& grid);
+  const std::vector<float>& scan(const FloorCells& grid);
   /// Of the last scan.
   const ScanGeometry& geometry() const { return scan_; }
 

@@ -2,7 +2,7 @@
 
 #include <QColor>
 
-#include "core/floor/floor_grid.hpp"
+#include "core/floor/floor_cells.hpp"
 
 namespace pilothouse::gui {
 

@@ -22,7 +22,7 @@ class ConversionThread {
   Mailbox<sensor_msgs::PointCloud2> cloud;
   Mailbox<sensor_msgs::Image> colour;
   Mailbox<sensor_msgs::CompressedImage> coded;
-  Mailbox<FloorGridMessage> floor;
+  Mailbox<FloorGrid> floor;
   Mailbox<ObjectList> objects;
   Guarded<boost::shared_ptr<const sensor_msgs::CameraInfo>> info;
   /// Whether the cloud stands in for the depth and for the colour picture.

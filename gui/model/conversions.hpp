@@ -7,9 +7,9 @@
 
 #include <memory>
 
+#include <pilothouse/FloorGrid.h>
 #include "core/cloud/checked.hpp"
 #include "gui/model/depth_ramp.hpp"
-#include "gui/model/floor_grid_message.hpp"
 #include "gui/model/pictures.hpp"
 #include "pilothouse/ObjectList.h"
 
@@ -40,7 +40,7 @@ Converted<ColourPicture> colourFromCompressed(const sensor_msgs::CompressedImage
 /// Needs an organised cloud with a field rgb or rgba.
 Converted<ColourPicture> colourFromCloud(const sensor_msgs::PointCloud2& cloud);
 
-Converted<FloorPicture> floorFromMessage(const FloorGridMessage& grid);
+Converted<FloorPicture> floorFromMessage(const FloorGrid& grid);
 Converted<ObjectsPicture> objectsFromMessage(const ObjectList& list);
 
 /// Width and height in the header of a JPEG or PNG; refused when there is none.

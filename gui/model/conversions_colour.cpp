@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/cloud/cloud_view.hpp"
-#include "gui/model/cloud_bytes.hpp"
+#include "doors/message_views.hpp"
 #include "gui/model/conversions.hpp"
 
 namespace pilothouse::gui {
@@ -140,12 +140,11 @@ Result colourFromCompressed(const sensor_msgs::CompressedImage& image) {
 }
 
 Result colourFromCloud(const sensor_msgs::PointCloud2& cloud) {
-  std::vector<CloudField> fields;
-  const auto view = CloudView::open(cloudBytes(cloud, fields));
+  const auto view = openView(cloud);
   if (!view) return refuse(view.reason());
   if (view->height() < 2) return refuse("the cloud is not organised");
-  const CloudField* rgb = nullptr;
-  for (const auto& field : fields) {
+  const sensor_msgs::PointField* rgb = nullptr;
+  for (const auto& field : cloud.fields) {
     if (field.name == "rgb" || field.name == "rgba") rgb = &field;
   }
   if (!rgb) return refuse("the cloud has no field rgb");

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/cloud/cloud_view.hpp"
-#include "gui/model/cloud_bytes.hpp"
+#include "doors/message_views.hpp"
 #include "gui/model/conversions.hpp"
 
 namespace pilothouse::gui {
@@ -75,8 +75,7 @@ Result DepthConverter::fromImage(const sensor_msgs::Image& image,
 }
 
 Result DepthConverter::fromCloud(const sensor_msgs::PointCloud2& cloud) {
-  std::vector<CloudField> fields;
-  const auto view = CloudView::open(cloudBytes(cloud, fields));
+  const auto view = openView(cloud);
   if (!view) return Result::refused(view.reason());
   if (view->height() < 2) {
     return Result::refused("cloud of height " + std::to_string(view->height()) +

@@ -17,7 +17,7 @@ std::string lengthFault(const char* name, const std::vector<T>& array, std::size
          std::to_string(expected);
 }
 
-std::string faultOf(const FloorGridMessage& grid) {
+std::string faultOf(const FloorGrid& grid) {
   const auto& info = grid.info;
   if (info.width == 0 || info.height == 0 || info.width > kMaxSide || info.height > kMaxSide) {
     return "grid of " + std::to_string(info.width) + " x " + std::to_string(info.height) +
@@ -50,7 +50,7 @@ std::string faultOf(const FloorGridMessage& grid) {
 
 }  // namespace
 
-Converted<FloorPicture> floorFromMessage(const FloorGridMessage& grid) {
+Converted<FloorPicture> floorFromMessage(const FloorGrid& grid) {
   using Result = Converted<FloorPicture>;
   const std::string fault = faultOf(grid);
   if (!fault.empty()) return Result::refused(fault);

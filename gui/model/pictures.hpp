@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/cloud/depth_view.hpp"
-#include "core/floor/floor_grid.hpp"
+#include "core/floor/floor_cells.hpp"
 #include "gui/model/depth_ramp.hpp"
 
 namespace pilothouse::gui {

@@ -6,8 +6,8 @@
 
 #include <cmath>
 
+#include "doors/guarded_subscriber.hpp"
 #include "gui/model/clock.hpp"
-#include "gui/model/guarded_helper.hpp"
 #include "gui/model/master.hpp"
 
 namespace pilothouse::gui {

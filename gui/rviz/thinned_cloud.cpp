@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/cloud/cloud_view.hpp"
-#include "gui/model/cloud_bytes.hpp"
-#include "gui/model/guarded_helper.hpp"
+#include "doors/guarded_subscriber.hpp"
+#include "doors/message_views.hpp"
 
 namespace pilothouse::gui {
 
@@ -29,8 +29,7 @@ ThinnedCloud::ThinnedCloud(const std::string& from, const std::string& to) : spi
 }
 
 void ThinnedCloud::receive(const sensor_msgs::PointCloud2ConstPtr& cloud) {
-  std::vector<CloudField> fields;
-  const auto view = CloudView::open(cloudBytes(*cloud, fields));
+  const auto view = openView(*cloud);
   if (!view) return;  // nothing is drawn of what cannot be read
   const std::size_t step = view->points() / kMostPoints + 1;
   sensor_msgs::PointCloud2 thin;

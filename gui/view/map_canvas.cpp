@@ -15,8 +15,9 @@ namespace pilothouse::gui {
 namespace {
 constexpr double kUsualHalfAngle = 0.5;  // rad, about a Kinect's 57 degrees
 constexpr double kConeLength = 4.0;      // m, until a grid tells how far it reaches
-constexpr double kMargin = 22.0;         // px round the fitted content
-constexpr double kLegendRoom = 52.0;     // px at the bottom
+constexpr double kRadians = 3.14159265358979323846 / 180.0;
+constexpr double kMargin = 22.0;      // px round the fitted content
+constexpr double kLegendRoom = 52.0;  // px at the bottom
 }  // namespace
 
 MapCanvas::MapCanvas(const RobotDescription& robot, QWidget* parent)
@@ -58,10 +59,10 @@ QRectF MapCanvas::content() const {
                  double(g.cell_size) * g.size_y);
   }
   for (const auto& point : robot_.footprint) {
-    box.setLeft(std::min(box.left(), point.x - 0.1));
-    box.setRight(std::max(box.right(), point.x + 0.1));
-    box.setTop(std::min(box.top(), point.y - 0.1));
-    box.setBottom(std::max(box.bottom(), point.y + 0.1));
+    box.setLeft(std::min(box.left(), point[0] - 0.1));
+    box.setRight(std::max(box.right(), point[0] + 0.1));
+    box.setTop(std::min(box.top(), point[1] - 0.1));
+    box.setBottom(std::max(box.bottom(), point[1] + 0.1));
   }
   return box;
 }
@@ -112,8 +113,8 @@ QString MapCanvas::readoutText() const {
 }
 
 QPainterPath MapCanvas::cone() const {
-  const CameraPose pose =
-      camera_.value_or(CameraPose{robot_.camera_x, robot_.camera_y, robot_.camera_yaw});
+  const CameraPose pose = camera_.value_or(
+      CameraPose{robot_.camera.x, robot_.camera.y, robot_.camera.yaw_deg * kRadians});
   const double length =
       floor_
           ? std::max(0.5, double(floor_->geometry.x_min) +

@@ -5,9 +5,9 @@
 #include <memory>
 #include <optional>
 
+#include "doors/robot_description.hpp"
 #include "gui/model/console_state.hpp"
 #include "gui/model/map_view.hpp"
-#include "gui/model/robot_description.hpp"
 #include "gui/view/overlay.hpp"
 
 namespace pilothouse::gui {

@@ -120,8 +120,8 @@ void paintRobot(QPainter& painter, const MapView& view, const RobotDescription& 
   QPolygonF outline;
   double front = 0.0;
   for (const auto& point : robot.footprint) {
-    outline << view.toPixel(point.x, point.y);
-    front = std::max(front, point.x);
+    outline << view.toPixel(point[0], point[1]);
+    front = std::max(front, point[0]);
   }
   painter.setRenderHint(QPainter::Antialiasing);
   // A dark rim keeps it apart from any cell, a bright one from the dark.

@@ -2,9 +2,9 @@
 
 #include <QPainter>
 
+#include "doors/robot_description.hpp"
 #include "gui/model/map_view.hpp"
 #include "gui/model/pictures.hpp"
-#include "gui/model/robot_description.hpp"
 
 namespace pilothouse::gui {
 

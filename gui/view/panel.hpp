@@ -4,8 +4,8 @@
 #include <QWidget>
 #include <functional>
 
+#include "doors/robot_description.hpp"
 #include "gui/model/console_state.hpp"
-#include "gui/model/robot_description.hpp"
 
 class QAction;
 

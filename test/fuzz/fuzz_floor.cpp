@@ -17,7 +17,7 @@ bool same(const std::vector<float>& a, const std::vector<float>& b) {
          (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0);
 }
 
-void check(const FloorGrid& grid) {
+void check(const FloorCells& grid) {
   const std::size_t cells = grid.geometry.cells();
   require(grid.classes.size() == cells && grid.heights.size() == cells &&
           grid.deviations.size() == cells && grid.counts.size() == cells);
@@ -33,14 +33,14 @@ void judge(const View& view, const FloorParameters& parameters,
   FloorSegmenter reference(parameters), fastest(parameters);
   reference.useKernel(BinningKernel::kReference);
   for (int frame = 0; frame < 2; ++frame) {  // the second meets the memory of the first
-    const FloorGrid& expected = reference.segment(view, T_base_camera);
-    const FloorGrid& grid = fastest.segment(view, T_base_camera);
+    const FloorCells& expected = reference.segment(view, T_base_camera);
+    const FloorCells& grid = fastest.segment(view, T_base_camera);
     check(grid);
     require(grid.classes == expected.classes && grid.counts == expected.counts);
     require(same(grid.heights, expected.heights) && same(grid.deviations, expected.deviations));
   }
   std::vector<CellClass> classes;
-  const FloorGrid& grid = fastest.segment(view, T_base_camera);
+  const FloorCells& grid = fastest.segment(view, T_base_camera);
   splitPoints(view, T_base_camera, grid, parameters, classes);
   require(classes.size() == std::size_t{view.width()} * view.height());
   PlaneSearchParameters search;

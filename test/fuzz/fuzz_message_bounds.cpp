@@ -57,7 +57,9 @@ void readGrid(Trusting& in) {
   in.fixed(12), in.array(1), in.fixed(76), in.array(1), in.array(4), in.array(4), in.array(1);
 }
 void readObjects(Trusting& in) {
-  in.fixed(12), in.array(1), in.array(1), in.array(18);
+  in.fixed(12), in.array(1), in.array(1);
+  for (std::uint32_t left = in.u32(); left > 0; --left) in.array(1), in.fixed(12);
+  in.array(21);
 }
 
 using Fault = std::optional<LengthFault> (*)(const std::uint8_t*, std::size_t,

@@ -1,4 +1,4 @@
-#include "nodelets/floor_settings.hpp"
+#include "doors/floor_settings.hpp"
 
 #include <stdexcept>
 

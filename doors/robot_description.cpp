@@ -1,8 +1,11 @@
-#include "nodelets/robot_description.hpp"
+#include "doors/robot_description.hpp"
 
+#include <algorithm>
 #include <cmath>
 
-#include "nodelets/floor_settings.hpp"
+#include "core/motion/parameter_ranges.hpp"
+#include "doors/floor_settings.hpp"
+#include "doors/yaml_values.hpp"
 
 namespace pilothouse {
 namespace {
@@ -61,6 +64,78 @@ void readCamera(StrictParameters reader, StrictParameters& parent, CameraOnRobot
   parent.merge(reader);
 }
 
+/// For forEach...Parameter.
+struct ReadEach {
+  StrictParameters& reader;
+  template <class T>
+  void operator()(const char* key, T& value, T low, T high) {
+    reader.read(key, value, low, high);
+  }
+};
+
+BaseKind kindOf(const std::string& base) {
+  if (base == "differential") return BaseKind::kDifferential;
+  return base == "omnidirectional" ? BaseKind::kOmnidirectional : BaseKind::kFourWheelSteered;
+}
+
+void readDrive(StrictParameters reader, StrictParameters& parent, BaseParameters& drive) {
+  const std::size_t before = parent.faultCount();
+  forEachBaseParameter(drive, ReadEach{reader});
+  parent.merge(reader);
+  if (parent.faultCount() > before) return;
+  for (const auto& fault : validate(drive)) parent.addFault("drive: " + fault);
+}
+
+void readAvoidance(StrictParameters reader, StrictParameters& parent, AvoidanceParameters& values) {
+  const std::size_t before = parent.faultCount();
+  forEachAvoidanceParameter(values, ReadEach{reader});
+  parent.merge(reader);
+  if (parent.faultCount() > before) return;
+  for (const auto& fault : validate(values)) parent.addFault("avoidance: " + fault);
+}
+
+bool isName(const std::string& text) {
+  return !text.empty() && text.size() <= 64 &&
+         std::all_of(text.begin(), text.end(),
+                     [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; });
+}
+
+RangerOnRobot readRanger(StrictParameters reader, StrictParameters& parent) {
+  RangerOnRobot ranger;
+  reader.require({"name", "x", "y", "z", "yaw_deg"});
+  reader.read("name", ranger.name);
+  if (reader.has("name") && !isName(ranger.name)) {
+    reader.addFault("name is \"" + ranger.name + "\", expected letters, digits and _");
+  }
+  reader.read("x", ranger.x, -10.0, 10.0);
+  reader.read("y", ranger.y, -10.0, 10.0);
+  reader.read("z", ranger.z, -10.0, 10.0);
+  reader.read("yaw_deg", ranger.yaw_deg, -180.0, 180.0);
+  reader.read("field_of_view_deg", ranger.field_of_view_deg, 1.0, 90.0);
+  reader.read("max_range", ranger.max_range, 0.1, 20.0);
+  reader.read("min_range", ranger.min_range, 0.0, ranger.max_range);
+  parent.merge(reader);
+  return ranger;
+}
+
+void readRangers(StrictParameters& reader, std::vector<RangerOnRobot>& rangers) {
+  XmlRpcValue list = reader.raw("rangers");
+  if (!list.valid()) return;
+  if (list.getType() != XmlRpcValue::TypeArray || list.size() > 16) {
+    return reader.addWrong("rangers", list, "a list of at most 16 rangers");
+  }
+  for (int i = 0; i < list.size(); ++i) {
+    RangerOnRobot ranger = readRanger(reader.element("rangers", i), reader);
+    for (const auto& other : rangers) {
+      if (other.name == ranger.name) {
+        reader.addFault("rangers[" + std::to_string(i) + "]: name is \"" + ranger.name +
+                        "\" again, expected another");
+      }
+    }
+    rangers.push_back(std::move(ranger));
+  }
+}
+
 bool endsWith(const std::string& text, const std::string& ending) {
   return text.size() > ending.size() &&
          text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
@@ -80,8 +155,31 @@ RobotDescription readRobot(StrictParameters& reader) {
   StrictParameters floor = reader.child("floor");
   readFloorParameters(floor, robot.floor);
   reader.merge(floor);
+  robot.drive.kind = kindOf(robot.base);
+  if (robot.drive.kind != BaseKind::kDifferential) robot.drive.wheelbase = 0.36;
+  readDrive(reader.child("drive"), reader, robot.drive);
+  readRangers(reader, robot.rangers);
+  readAvoidance(reader.child("avoidance"), reader, robot.avoidance);
   reader.finish();
   return robot;
+}
+
+Checked<RobotDescription> readRobotFile(const std::string& path) {
+  const auto values = readYaml(path);
+  if (!values) return Checked<RobotDescription>::refused(values.reason());
+  try {
+    StrictParameters reader(path, *values);
+    reader.quiet();
+    return Checked<RobotDescription>::of(readRobot(reader));
+  } catch (const ParameterFault& fault) {
+    return Checked<RobotDescription>::refused(fault.what());
+  }
+}
+
+Footprint RobotDescription::outline() const {
+  std::vector<Eigen::Vector2d> corners;
+  for (const auto& corner : footprint) corners.emplace_back(corner[0], corner[1]);
+  return Footprint(corners);
 }
 
 Eigen::Isometry3d bodyPose(const CameraOnRobot& camera) {
@@ -92,6 +190,15 @@ Eigen::Isometry3d bodyPose(const CameraOnRobot& camera) {
   T_base_link.rotate(Eigen::AngleAxisd(camera.pitch_deg * kRadians, Eigen::Vector3d::UnitY()));
   T_base_link.rotate(Eigen::AngleAxisd(camera.roll_deg * kRadians, Eigen::Vector3d::UnitX()));
   return T_base_link;
+}
+
+Eigen::Isometry3d rangerPose(const RangerOnRobot& ranger) {
+  CameraOnRobot body;
+  body.x = ranger.x;
+  body.y = ranger.y;
+  body.z = ranger.z;
+  body.yaw_deg = ranger.yaw_deg;
+  return bodyPose(body);
 }
 
 Eigen::Isometry3d opticalRotation() {

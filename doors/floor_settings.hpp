@@ -3,7 +3,7 @@
 #include <pilothouse/FloorConfig.h>
 
 #include "core/floor/floor_parameters.hpp"
-#include "nodelets/strict_parameters.hpp"
+#include "doors/strict_parameters.hpp"
 
 namespace pilothouse {
 

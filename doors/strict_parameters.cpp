@@ -1,4 +1,4 @@
-#include "nodelets/strict_parameters.hpp"
+#include "doors/strict_parameters.hpp"
 
 #include <ros/console.h>
 
@@ -164,6 +164,11 @@ StrictParameters StrictParameters::child(const std::string& key) {
   return StrictParameters(name_space_ + '/' + key, raw(key));
 }
 
+StrictParameters StrictParameters::element(const std::string& key, int place) {
+  XmlRpcValue list = raw(key);
+  return StrictParameters(name_space_ + '/' + key + '[' + std::to_string(place) + ']', list[place]);
+}
+
 void StrictParameters::merge(StrictParameters& child) {
   child.collectUnknown();
   faults_.insert(faults_.end(), child.faults_.begin(), child.faults_.end());
@@ -183,7 +188,9 @@ void StrictParameters::collectUnknown() {
 void StrictParameters::finish() {
   collectUnknown();
   if (faults_.empty()) return;
-  for (const auto& fault : faults_) ROS_FATAL("Refusing to start: parameter %s", fault.c_str());
+  for (const auto& fault : faults_) {
+    if (!quiet_) ROS_FATAL("Refusing to start: parameter %s", fault.c_str());
+  }
   throw ParameterFault(faults_);
 }
 

@@ -41,7 +41,7 @@ struct GridGeometry {
 };
 
 /// The judged floor. Every vector has geometry.cells() entries.
-struct FloorGrid {
+struct FloorCells {
   GridGeometry geometry;
   std::vector<CellClass> classes;
   std::vector<float> heights;         ///< mean height in the base frame [m]; NaN where unknown

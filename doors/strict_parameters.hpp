@@ -51,6 +51,8 @@ class StrictParameters {
   XmlRpc::XmlRpcValue raw(const std::string& key);
   /// The struct under a key, to be read by the same rules and then handed to merge().
   StrictParameters child(const std::string& key);
+  /// The struct at a place of the list under a key, likewise.
+  StrictParameters element(const std::string& key, int place);
   /// Takes over the faults of a child, and what it was not asked for.
   void merge(StrictParameters& child);
 
@@ -58,6 +60,10 @@ class StrictParameters {
   void addFault(const std::string& text) { faults_.push_back(name_space_ + ": " + text); }
   void addWrong(const std::string& key, const XmlRpc::XmlRpcValue& value,
                 const std::string& expected);
+
+  std::size_t faultCount() const { return faults_.size(); }
+  /// finish() throws without logging: for programs that report by themselves.
+  void quiet() { quiet_ = true; }
 
   /// @throws ParameterFault after logging each fault as fatal, when there is any.
   void finish();
@@ -69,6 +75,7 @@ class StrictParameters {
   XmlRpc::XmlRpcValue values_;
   std::set<std::string> known_;
   std::vector<std::string> faults_;
+  bool quiet_ = false;
 };
 
 }  // namespace pilothouse

@@ -1,4 +1,4 @@
-#include "nodelets/message_views.hpp"
+#include "doors/message_views.hpp"
 
 #include <algorithm>
 #include <array>
