@@ -45,7 +45,7 @@ int main(int argc, char** argv) {
 
   const auto options = parseOptions(words);
   if (!options) return refuse(options.reason());
-  const auto robot = readRobotFile(options->robot_file);
+  const auto robot = pilothouse::readRobotFile(options->robot_file);
   if (!robot) return refuse(robot.reason());
 
   theme::apply(application);

@@ -335,7 +335,7 @@ TEST(Guard, letsAGoodFloorGridThroughAndRefusesOneThatLies) {
   EXPECT_EQ(good.message->method, sent.method);
   // From the end: method 4 + 8, deviations 4 + 24, heights 4 + 24, classes 4 + 6.
   const Arrival<FloorGrid> bad(lying(bytes, 78, 1500000000));
-  EXPECT_EQ(bad.refused, "length of FloorCells classes is 1500000000, expected 0 to 74");
+  EXPECT_EQ(bad.refused, "length of FloorGrid classes is 1500000000, expected 0 to 74");
   EXPECT_FALSE(bad.message);
 }
 
@@ -350,7 +350,7 @@ TEST(Guard, letsAGoodObjectListThroughAndRefusesOneThatLies) {
   ASSERT_TRUE(good.message);
   ASSERT_EQ(good.message->objects.size(), 2U);
   EXPECT_EQ(good.message->objects[1].size, 0.05F);
-  const Arrival<ObjectList> bad(lying(bytes, 40, 80000000));
+  const Arrival<ObjectList> bad(lying(bytes, 46, 80000000));
   EXPECT_EQ(bad.refused, "length of ObjectList objects is 80000000, expected 0 to 2");
   EXPECT_FALSE(bad.message);
 }

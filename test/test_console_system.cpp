@@ -21,6 +21,7 @@
 #include "gui/view/status_line.hpp"
 #include "gui/view/theme.hpp"
 
+using namespace pilothouse;
 using namespace pilothouse::gui;
 
 namespace {
@@ -62,7 +63,7 @@ struct Console {
   Console() {
     robot.name = "platform";
     robot.title = "Platform";
-    robot.footprint = {{0.25, 0.20}, {-0.25, 0.20}, {-0.25, -0.20}, {0.25, -0.20}};
+    robot.footprint = {{{0.25, 0.20}}, {{-0.25, 0.20}}, {{-0.25, -0.20}}, {{0.25, -0.20}}};
     window = std::make_unique<MainWindow>(PanelContext{state, robot, nullptr}, false);
     window->show();
     link.start();

@@ -186,10 +186,10 @@ TEST(MessageBounds, RefusesAnyLengthOfAFloorGridThatLies) {
   EXPECT_EQ(refusal(&Claims::classes, 1500000000),
             "length of FloorGrid classes is 1500000000, expected 0 to 38");
   EXPECT_EQ(refusal(&Claims::heights, 0x40000001U),
-            "length of FloorCells heights is 1073741825, expected 0 to 8");
+            "length of FloorGrid heights is 1073741825, expected 0 to 8");
   EXPECT_EQ(refusal(&Claims::deviations, 6),
-            "length of FloorCells deviations is 6, expected 0 to 5");
-  EXPECT_EQ(refusal(&Claims::method, 9), "length of FloorCells method is 9, expected 0 to 8");
+            "length of FloorGrid deviations is 6, expected 0 to 5");
+  EXPECT_EQ(refusal(&Claims::method, 9), "length of FloorGrid method is 9, expected 0 to 8");
   // Too short: what follows is then read from the wrong place.
   EXPECT_NE(refusal(&Claims::classes, 1), "");
   EXPECT_NE(refusal(&Claims::heights, 1), "");
@@ -204,7 +204,7 @@ TEST(MessageBounds, RefusesAnyLengthOfAnObjectListThatLies) {
     const Bytes bytes = objectList(claims);
     return reason(objectListFault(bytes.data(), bytes.size()));
   };
-  EXPECT_EQ(refusal(&Claims::frame, 57), "length of frame_id is 89, expected 0 to 88");
+  EXPECT_EQ(refusal(&Claims::frame, 89), "length of frame_id is 89, expected 0 to 88");
   EXPECT_EQ(refusal(&Claims::source, 79), "length of ObjectList source is 79, expected 0 to 78");
   EXPECT_EQ(refusal(&Claims::sources, 5), "length of ObjectList sources is 5, expected 0 to 4");
   EXPECT_EQ(refusal(&Claims::source_name, 65),
