@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nav_msgs/Path.h>
 #include <pilothouse/FloorGrid.h>
 #include <pilothouse/ObjectList.h>
 #include <ros/node_handle.h>
@@ -35,6 +36,8 @@ std::optional<LengthFault> lengthFault(const std::uint8_t* bytes, std::size_t si
     return floorGridFault(bytes, size);
   } else if constexpr (std::is_same_v<Message, ObjectList>) {
     return objectListFault(bytes, size);
+  } else if constexpr (std::is_same_v<Message, nav_msgs::Path>) {
+    return pathFault(bytes, size);
   } else {
     static_cast<void>(bytes);
     static_cast<void>(size);

@@ -104,6 +104,9 @@ Bytes objectList(const Claims& claims = {}) {
       .zeros(42)
       .bytes;
 }
+Bytes path(std::uint32_t claimed_poses = 2) {
+  return Wire().header().u32(claimed_poses).header().zeros(56).header().zeros(56).bytes;
+}
 
 const std::vector<std::tuple<const char*, Bytes, Check>> kMessages{
     {"PointCloud2", cloud(), [](const Bytes& b) { return pointCloud2Fault(b.data(), b.size()); }},
@@ -115,6 +118,7 @@ const std::vector<std::tuple<const char*, Bytes, Check>> kMessages{
     {"FloorGrid", floorGrid(), [](const Bytes& b) { return floorGridFault(b.data(), b.size()); }},
     {"ObjectList", objectList(),
      [](const Bytes& b) { return objectListFault(b.data(), b.size()); }},
+    {"Path", path(), [](const Bytes& b) { return pathFault(b.data(), b.size()); }},
 };
 
 std::string reason(const std::optional<LengthFault>& fault) {
@@ -214,6 +218,14 @@ TEST(MessageBounds, RefusesAnyLengthOfAnObjectListThatLies) {
   EXPECT_EQ(refusal(&Claims::objects, 3), "length of ObjectList objects is 3, expected 0 to 2");
   EXPECT_EQ(refusal(&Claims::objects, 1),
             "length of bytes after the message is 21, expected 0 to 0");
+}
+
+TEST(MessageBounds, RefusesPosesThatAreNotThere) {
+  const Bytes bytes = path(0x80000000U);
+  EXPECT_EQ(reason(pathFault(bytes.data(), bytes.size())),
+            "length of Path poses is 2147483648, expected 0 to 2");
+  const Bytes three = path(3);
+  EXPECT_NE(reason(pathFault(three.data(), three.size())), "");
 }
 
 TEST(MessageBounds, RefusesMoreCellsOrObjectsThanAnyFloorHas) {

@@ -146,4 +146,18 @@ std::optional<LengthFault> objectListFault(const std::uint8_t* bytes, std::size_
   return walk.end();
 }
 
+std::optional<LengthFault> pathFault(const std::uint8_t* bytes, std::size_t size,
+                                     const MessageBounds& bounds) {
+  constexpr std::uint64_t kPose = 7 * 8;
+  constexpr std::uint64_t kLeastHeader = 4 + 8 + 4;  // empty frame
+  WireWalk walk(bytes, size);
+  walk.header(bounds);
+  const std::uint32_t poses = walk.count("Path poses", bounds.max_poses, kLeastHeader + kPose);
+  for (std::uint32_t i = 0; i < poses; ++i) {
+    walk.header(bounds);
+    walk.skip(kPose, "Path pose");
+  }
+  return walk.end();
+}
+
 }  // namespace pilothouse

@@ -16,6 +16,7 @@ struct MessageBounds {
   std::size_t max_cells = 1000000;              ///< entries of each of a FloorGrid's arrays
   std::size_t max_objects = 1000000;            ///< entries of an ObjectList
   std::size_t max_sources = 64;                 ///< sources that an ObjectList names
+  std::size_t max_poses = 100000;               ///< poses of a Path
 };
 
 /// A length in a serialised message that does not fit its bytes or its bounds.
@@ -46,5 +47,7 @@ std::optional<LengthFault> floorGridFault(const std::uint8_t* bytes, std::size_t
                                           const MessageBounds& bounds = {});
 std::optional<LengthFault> objectListFault(const std::uint8_t* bytes, std::size_t size,
                                            const MessageBounds& bounds = {});
+std::optional<LengthFault> pathFault(const std::uint8_t* bytes, std::size_t size,
+                                     const MessageBounds& bounds = {});
 
 }  // namespace pilothouse

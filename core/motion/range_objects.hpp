@@ -14,10 +14,10 @@ struct RangeReading {
   double min_range = 0.0, max_range = 0.0;  ///< [m]
 };
 
-/// What an echo may be: any place on the cone's arc at that range, so all of it, in discs of at
-/// most `piece` [m] that overlap. Nothing for an infinite range, or one of max_range and beyond. A
-/// range below min_range (also -infinity, REP 117: too near to measure) counts as an object at
-/// min_range.
+/// What an echo may be: any place on the cone's arc at that range, so all of it, in discs of
+/// `piece` [m] that overlap (larger ones where 256 do not suffice). Nothing for an infinite range,
+/// or one of max_range and beyond. A range below min_range (also -infinity, REP 117: too near to
+/// measure) counts as an object at min_range.
 /// @param T_base_ranger x along the cone's middle; what is level with the floor counts.
 /// @param objects filled anew, base frame; at most 256 discs whatever the reading.
 /// @return false when the reading means nothing (NaN, or limits that are none); objects is empty

@@ -61,6 +61,10 @@ void readObjects(Trusting& in) {
   for (std::uint32_t left = in.u32(); left > 0; --left) in.array(1), in.fixed(12);
   in.array(21);
 }
+void readPath(Trusting& in) {
+  in.fixed(12), in.array(1);
+  for (std::uint32_t left = in.u32(); left > 0; --left) in.fixed(12), in.array(1), in.fixed(56);
+}
 
 using Fault = std::optional<LengthFault> (*)(const std::uint8_t*, std::size_t,
                                              const MessageBounds&);
@@ -73,7 +77,8 @@ constexpr Message kMessages[] = {{pointCloud2Fault, readCloud},
                                  {compressedImageFault, readCompressed},
                                  {cameraInfoFault, readInfo},
                                  {floorGridFault, readGrid},
-                                 {objectListFault, readObjects}};
+                                 {objectListFault, readObjects},
+                                 {pathFault, readPath}};
 
 }  // namespace
 }  // namespace pilothouse

@@ -101,6 +101,7 @@ CORPUS = {
         "compressed": b"\2" + HEADER + text(b"jpeg") + text(b"\xff\xd8\xff"),
         "info": b"\3" + info_message(),
         "info_bomb": b"\3" + info_message(coefficients=0x20000001),
+        "path": b"\6" + HEADER + struct.pack("<I", 1) + HEADER + bytes(56),
     },
     "file_headers": {
         "pcd_binary": pcd(bytes(24), "binary"),
