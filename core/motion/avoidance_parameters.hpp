@@ -14,7 +14,7 @@ struct AvoidanceParameters {
   double margin = 0.20;  ///< what is this far beside the way is a potential obstacle [m], 0..2
   double beside_speed = 0.10;     ///< potential obstacles never slow the robot below [m/s], 0.01..2
   double threshold_speed = 0.15;  ///< over thresholds [m/s], 0.01..5
-  double unseen_speed = 0.10;     ///< where nothing has looked; 0: never go there [m/s], 0..5
+  double unseen_speed = 0.15;     ///< where nothing has looked; 0: never go there [m/s], 0..5
   double memory = 60.0;           ///< what left the view is remembered for [s], 0..3600
   // ---- advanced
   double latency = 0.15;         ///< from the world to the wheels, for the braking bound [s], 0..2
@@ -22,7 +22,6 @@ struct AvoidanceParameters {
   int confirm_frames = 2;        ///< a lone speckle counts when seen in so many ..., 1..confirm_of
   int confirm_of = 3;            ///< ... of so many frames, 1..8
   double near_distance = 0.5;    ///< nearer than this to the footprint it counts at once [m], 0..5
-  double near_blind = 0.8;       ///< nearer than this the camera sees nothing [m], 0..5
   double look_ahead = 3.0;       ///< the path is swept this far [m], 0.2..20
   double input_timeout = 0.3;    ///< older inputs mean stop [s], 0.05..2
   double acceleration = 0.5;     ///< of the limited command [m/s^2], 0.05..20

@@ -1,38 +1,15 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/motion/local_memory.hpp"
+#include "core/motion/pose_history.hpp"
 #include "core/motion/range_objects.hpp"
 
 namespace pilothouse {
-
-/// The base's pose at a time, from odometry.
-class PoseHistory {
- public:
-  /// @return false when refused: not finite, or older than the newest (time ran back: call
-  /// clear()).
-  bool add(double stamp, const Pose2& pose, const Twist2& twist);
-  /// Interpolated; beyond the newest by at most 0.3 s with its twist. Nothing where unknown.
-  std::optional<Pose2> at(double stamp) const;
-  std::optional<double> newest() const;
-  Twist2 twist() const { return twist_; }
-  void clear() { size_ = 0; }
-
- private:
-  static constexpr std::size_t kKept = 256;
-  struct Entry {
-    double stamp;
-    Pose2 pose;
-  };
-  std::array<Entry, kKept> entries_{};
-  std::size_t next_ = 0, size_ = 0;
-  Twist2 twist_;
-};
 
 /// Brings what all sensors saw to one instant, in robot coordinates.
 class ObjectMerger {
@@ -53,9 +30,8 @@ class ObjectMerger {
   /// @param ranger index into the constructor's list. @return false for a reading that means
   /// nothing.
   bool range(std::size_t ranger, double stamp, const RangeReading& reading);
-  /// Other sources' objects, base frame at their stamp; `source` as added by addSource().
-  std::size_t addSource(const std::string& name);
-  bool objects(std::size_t source, double stamp, const std::vector<Obstacle>& objects);
+  /// The objects of a ranger, as range() would find them, base frame at their stamp.
+  bool objects(std::size_t ranger, double stamp, const std::vector<Obstacle>& objects);
 
   /// Everything at `now`, valid until the next call. Objects of a source that is older than a
   /// second are left out; the age of each is told.
@@ -74,7 +50,9 @@ class ObjectMerger {
   };
   AvoidanceParameters parameters_;
   std::vector<Ranger> rangers_;
-  std::vector<Seen> seen_;  ///< one a source; the camera's stay in the memory
+  std::vector<Seen> seen_;  ///< one a ranger; what the camera saw stays in the memory
+  double floor_stamp_ = -1.0;
+  Pose2 driven_to_;  ///< where the memory last knew the robot
   PoseHistory poses_;
   LocalMemory memory_;
   Surroundings merged_;

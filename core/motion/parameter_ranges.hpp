@@ -38,7 +38,6 @@ void forEachAvoidanceParameter(Parameters& p, Visit visit) {
   visit("confirm_frames", p.confirm_frames, 1, 8);
   visit("confirm_of", p.confirm_of, 1, 8);
   visit("near_distance", p.near_distance, 0.0, 5.0);
-  visit("near_blind", p.near_blind, 0.0, 5.0);
   visit("look_ahead", p.look_ahead, 0.2, 20.0);
   visit("input_timeout", p.input_timeout, 0.05, 2.0);
   visit("acceleration", p.acceleration, 0.05, 20.0);

@@ -82,6 +82,14 @@ class SpeedLimiter {
   double pathSpeed(const Twist2& twist) const { return SweptPath::speedOf(footprint_, twist); }
 
  private:
+  void meetObjects(const SweptPath& path, const Twist2& unit, Surroundings& surroundings,
+                   PathLimit& limit) const;
+  void holdBefore(const Obstacle& object, const SweptPath::Contact& contact, double stop,
+                  PathLimit& limit) const;
+  void goSlowly(const Obstacle& object, const SweptPath::Contact& contact, PathLimit& limit) const;
+  void lookAhead(const SweptPath& path, const Looked& looked, PathLimit& limit) const;
+  double slowingTo(double speed, double distance) const;
+
   AvoidanceParameters avoidance_;
   BaseParameters base_;
   Footprint footprint_;

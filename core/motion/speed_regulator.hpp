@@ -17,10 +17,11 @@ class SpeedRegulator {
   /// The next command before the limit. @param dt since the last step [s]; outside (0, 0.5] counts
   /// as the nearest of these bounds. A target that is not finite counts as zero.
   Twist2 approach(const Twist2& target, double dt);
-  /// What goes out: the command, scaled to at most `scale` (0..1) of itself, trimmed by the PID on
-  /// `measured` path speed [m/s] (NaN: no trim). Never more than scale * command. The state
-  /// follows.
-  Twist2 finish(const Twist2& command, double scale, double measured, double dt);
+  /// What goes out: `command`, trimmed by the PID on the measured path speed, never faster than the
+  /// limit. The state follows, so that the next approach() starts from what was allowed.
+  /// @param speed path speed of `command`; @param limit, @param measured (NaN: no trim) likewise
+  /// [m/s].
+  Twist2 finish(const Twist2& command, double speed, double limit, double measured, double dt);
   void reset();
   const Twist2& command() const { return command_; }
 

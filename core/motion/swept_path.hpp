@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
+#include <vector>
 
 #include "core/motion/footprint.hpp"
 #include "core/motion/obstacle.hpp"
@@ -50,8 +52,18 @@ class SweptPath {
   Pose2 poseAfter(double way) const;
 
  private:
+  static constexpr double kNever = -1.0;
+  static constexpr double kInside = -2.0;
+  struct TurningEdge {
+    double offset;  ///< of the edge's line from the centre of rotation, along the normal [m]
+    double angle;   ///< of the normal [rad]
+    Eigen::Vector2d normal;
+  };
   Contact meetStraight(const Eigen::Vector2d& point, double radius) const;
   Contact meetTurning(const Eigen::Vector2d& point, double radius) const;
+  /// In the way, unless it is beyond the look-ahead.
+  Contact contact(double distance, double speed) const;
+  /// Turn [rad] until the point is touched by the outline grown by `inflation`; kNever, kInside.
   double angleToTouch(const Eigen::Vector2d& point, double inflation) const;
 
   const Footprint& footprint_;
@@ -61,8 +73,10 @@ class SweptPath {
   double margin_, look_ahead_;
   Eigen::Vector2d direction_{1.0, 0.0};    ///< straight: of the motion
   double left_ = 0.0, right_ = 0.0;        ///< straight: reach of the footprint beside its line [m]
+  double front_ = 0.0, rear_ = 0.0;        ///< straight: reach along it [m]
   Eigen::Vector2d centre_{0.0, 0.0};       ///< turning: of rotation
   double nearest_ = 0.0, farthest_ = 0.0;  ///< turning: of the footprint from the centre [m]
+  std::vector<TurningEdge> turning_edges_;
 };
 
 }  // namespace pilothouse

@@ -1,0 +1,171 @@
+#include "core/motion/swept_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pilothouse {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double kTurn = 6.283185307179586;
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr double kStraight = 1e-3;       // turning less than this [rad/m] is straight
+constexpr double kAtLeastBeside = 0.03;  // margin when turning in place [m]
+constexpr double kOnEdge = 1e-9;         // [m]
+
+double cross(const Vector2d& a, const Vector2d& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+double wholeTurn(double angle) {
+  const double left = std::fmod(angle, kTurn);
+  return left < 0.0 ? left + kTurn : left;
+}
+
+}  // namespace
+
+Corridor::Corridor(const Footprint& footprint, const Vector2d& direction, double margin)
+    : direction_(direction.normalized()), half_width_(0.0), margin_(margin) {
+  for (const auto& corner : footprint.corners()) {
+    const Vector2d beside = -corner + corner.dot(direction_) * direction_;  // a is the origin
+    half_width_ = std::max(half_width_, beside.norm());
+  }
+}
+
+Relevance Corridor::classify(const Vector2d& point, double radius) const {
+  const double ahead = point.dot(direction_);
+  if (!(ahead + radius > 0.0)) return Relevance::kOther;
+  const double beside = (-point + ahead * direction_).norm() - radius;
+  if (beside <= half_width_) return Relevance::kInTheWay;
+  return beside <= half_width_ + margin_ ? Relevance::kPotential : Relevance::kOther;
+}
+
+double SweptPath::speedOf(const Footprint& footprint, const Twist2& twist) {
+  double fastest = 0.0;
+  for (const auto& p : footprint.corners()) {
+    fastest = std::max(fastest, std::hypot(twist.vx - twist.w * p.y(), twist.vy + twist.w * p.x()));
+  }
+  return fastest;
+}
+
+SweptPath::SweptPath(const Footprint& footprint, const Twist2& twist, double margin,
+                     double look_ahead)
+    : footprint_(footprint), look_ahead_(look_ahead) {
+  const double speed = speedOf(footprint, twist);
+  moves_ = speed > 0.0 && std::isfinite(speed);
+  if (moves_) unit_ = (1.0 / speed) * twist;
+  // What is beside cannot be hit by turning in place: the margin is for going past things.
+  margin_ = std::max(std::min(kAtLeastBeside, margin), margin * std::min(1.0, unit_.linear()));
+  turns_ = std::abs(unit_.w) > kStraight;
+  if (turns_) {
+    centre_ = Vector2d(-unit_.vy, unit_.vx) / unit_.w;
+    farthest_ = footprint.farthestFrom(centre_);
+    nearest_ = std::max(0.0, footprint.distanceTo(centre_));
+    for (const auto& edge : footprint.edges()) {
+      turning_edges_.push_back({edge.offset - edge.normal.dot(centre_),
+                                std::atan2(edge.normal.y(), edge.normal.x()), edge.normal});
+    }
+    return;
+  }
+  if (moves_) direction_ = Vector2d(unit_.vx, unit_.vy).normalized();
+  left_ = front_ = -kInfinite;
+  right_ = rear_ = kInfinite;
+  for (const auto& corner : footprint.corners()) {
+    left_ = std::max(left_, cross(direction_, corner));
+    right_ = std::min(right_, cross(direction_, corner));
+    front_ = std::max(front_, corner.dot(direction_));
+    rear_ = std::min(rear_, corner.dot(direction_));
+  }
+}
+
+SweptPath::Contact SweptPath::meet(const Vector2d& point, double radius) const {
+  if (!moves_) return {};
+  return turns_ ? meetTurning(point, radius) : meetStraight(point, radius);
+}
+
+SweptPath::Contact SweptPath::meetStraight(const Vector2d& point, double radius) const {
+  const double beside = cross(direction_, point);
+  const double reach = radius + margin_;
+  if (beside > left_ + reach || beside < right_ - reach) return {};
+  const double ahead = point.dot(direction_);
+  if (ahead < rear_ - radius || ahead > front_ + radius + look_ahead_) return {};
+  if (beside <= left_ + radius && beside >= right_ - radius) {
+    // The line from the point against the motion, cut with the outline grown by the radius.
+    double enter = -kInfinite, leave = kInfinite;
+    for (const auto& edge : footprint_.edges()) {
+      const double along = edge.normal.dot(direction_);
+      const double outside = edge.normal.dot(point) - edge.offset - radius;
+      if (along > 1e-9) {
+        enter = std::max(enter, outside / along);
+      } else if (along < -1e-9) {
+        leave = std::min(leave, outside / along);
+      }
+    }
+    if (enter >= 0.0) return contact(enter, 1.0);
+    // Overlapping: going deeper is in the way, going away is not.
+    if (leave > 0.0 && ahead > 0.5 * (front_ + rear_)) return contact(0.0, 1.0);
+  }
+  Contact result = contact(std::max(0.0, ahead - radius - front_), 1.0);
+  if (result.relevance == Relevance::kInTheWay) result.relevance = Relevance::kPotential;
+  return result;
+}
+
+SweptPath::Contact SweptPath::contact(double distance, double speed) const {
+  if (distance > look_ahead_ * std::max(speed, 0.1)) return {};
+  return {Relevance::kInTheWay, distance, speed};
+}
+
+SweptPath::Contact SweptPath::meetTurning(const Vector2d& point, double radius) const {
+  const double from_centre = (point - centre_).norm();
+  const double reach = radius + margin_;
+  if (from_centre > farthest_ + reach || from_centre < nearest_ - reach) return {};
+  const double speed = std::abs(unit_.w) * from_centre;
+  if (from_centre <= farthest_ + radius && from_centre >= nearest_ - radius) {
+    const double angle = angleToTouch(point, radius);
+    if (angle >= 0.0) return contact(angle * from_centre, speed);
+    if (angle == kInside) {
+      const Vector2d motion =
+          Vector2d(unit_.vx, unit_.vy) + unit_.w * Vector2d(-point.y(), point.x());
+      if (motion.dot(point) > 0.0) return contact(0.0, speed);
+    }
+  }
+  const double angle = angleToTouch(point, reach);
+  if (angle == kNever) return {};
+  Contact result = contact(std::max(0.0, angle) * from_centre, speed);
+  if (result.relevance == Relevance::kInTheWay) result.relevance = Relevance::kPotential;
+  return result;
+}
+
+// The point goes round the centre, seen from the robot, against the robot's turn. It touches where
+// it enters the half plane of one edge (grown by the inflation) while it is in those of all others.
+double SweptPath::angleToTouch(const Vector2d& point, double inflation) const {
+  const Vector2d arm = point - centre_;
+  const double from_centre = arm.norm();
+  const double sense = unit_.w > 0.0 ? 1.0 : -1.0;
+  const double now = std::atan2(arm.y(), arm.x());
+  const auto insideAll = [&](const Vector2d& at) {
+    for (const auto& edge : turning_edges_) {
+      if (edge.normal.dot(at) > edge.offset + inflation + kOnEdge) return false;
+    }
+    return true;
+  };
+  if (insideAll(arm)) return kInside;
+  double first = kInfinite;
+  for (const auto& edge : turning_edges_) {
+    const double cosine = (edge.offset + inflation) / from_centre;
+    if (cosine <= -1.0) return kNever;  // the whole circle lies outside
+    if (cosine >= 1.0) continue;        // the whole circle lies inside
+    const double entry = edge.angle - sense * std::acos(cosine);
+    const double turn = wholeTurn(sense * (now - entry));
+    if (turn >= first) continue;
+    if (insideAll(from_centre * Vector2d(std::cos(entry), std::sin(entry)))) first = turn;
+  }
+  return first < kInfinite ? first : kNever;
+}
+
+Pose2 SweptPath::poseAfter(double way) const {
+  return advanced({}, unit_, way);
+}
+
+}  // namespace pilothouse
