@@ -70,8 +70,12 @@ TEST(SpeedLimiter, AnObstacleInTheWayReachesZeroAtTheStopDistance) {
     EXPECT_LE(limit.speed, before) << gap;
     EXPECT_NEAR(limit.obstacle_distance, gap, 1e-6);
     EXPECT_EQ(surroundings.objects[0].relevance, Relevance::kInTheWay);
-    if (gap <= stop) EXPECT_EQ(limit.speed, 0.0) << gap;
-    if (gap > stop + 1e-6) EXPECT_GT(limit.speed, 0.0) << gap;
+    if (gap <= stop) {
+      EXPECT_EQ(limit.speed, 0.0) << gap;
+    }
+    if (gap > stop + 1e-6) {
+      EXPECT_GT(limit.speed, 0.0) << gap;
+    }
     before = limit.speed;
   }
 }
@@ -134,7 +138,7 @@ TEST(SpeedLimiter, UnseenGroundIsEnteredSlowlyOrNotAtAll) {
 LimiterInput wanting(const Twist2& twist) {
   LimiterInput input;
   input.wanted = twist;
-  input.measured = twist;
+  input.measured.vx = std::nan("");  // no odometry: no trim
   return input;
 }
 
@@ -143,7 +147,7 @@ TEST(SpeedLimiter, ThePathKeepsItsShapeWhenItIsSlowed) {
   const Twist2 wanted{0.3, 0.1, 0.4};
   LimitedCommand out;
   for (int i = 0; i < 300; ++i) {
-    auto surroundings = with({at(0.80, 0.20)});
+    auto surroundings = with({at(0.68, 0.16)});
     out = limiter.step(wanting(wanted), surroundings, nullptr);
     if (out.limited < 1e-6) continue;
     const double scale = out.command.vx / wanted.vx;
@@ -214,7 +218,9 @@ TEST(SpeedRegulator, KeepsAccelerationAndJerk) {
     EXPECT_LE(std::abs(change - last_change.vx) / dt, 2.0 * parameters.jerk + 1e-6) << i;
     last = out;
     last_change.vx = change;
-    if (i == 199) EXPECT_NEAR(out.vx, 0.5, 1e-9);
+    if (i == 199) {
+      EXPECT_NEAR(out.vx, 0.5, 1e-9);
+    }
   }
   EXPECT_NEAR(last.vx, -0.3, 1e-9);
 }
@@ -307,7 +313,9 @@ TEST(SpeedLimiter, RandomStepsBreakNoLimit) {
     ASSERT_LE(out.limited, out.limit.speed + kTiny) << "step " << i;
     const bool blind =
         !(input.perception_age <= 0.3) || !(input.odometry_age <= 0.3) || !input.wanted.finite();
-    if (blind) ASSERT_TRUE(out.command.zero()) << "step " << i;
+    if (blind) {
+      ASSERT_TRUE(out.command.zero()) << "step " << i;
+    }
   }
 }
 

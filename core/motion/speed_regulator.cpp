@@ -7,6 +7,7 @@ namespace pilothouse {
 namespace {
 
 constexpr double kLeastStep = 1e-3, kLongestStep = 0.5;  // [s]
+constexpr double kReached = 1e-4;                        // [m/s]
 constexpr double kMostTrim = 0.2;                        // share of the commanded speed
 
 double boundedStep(double dt) {
@@ -37,16 +38,17 @@ Twist2 SpeedRegulator::approach(const Twist2& wanted, double dt) {
   const Twist2 missing = target - command_;
   const double left = sizeOf(missing, reach_);
   const double most = parameters_.acceleration, jerk = parameters_.jerk;
-  if (left <= 0.5 * most * dt * std::min(1.0, jerk * dt / most) || left == 0.0) {
+  if (left <= kReached) {
     acceleration_ = {};
     return target;
   }
-  // As fast as can still be taken back to nothing by the jerk when the target is reached.
-  const double wish = std::min({most, std::sqrt(2.0 * jerk * left), left / dt});
+  // As fast as can still be taken back to nothing by the jerk when the target is reached, one step
+  // from now on.
+  const double step = jerk * dt;
+  const double wish = std::min(most, std::sqrt(step * step + 2.0 * jerk * left) - step);
   const Twist2 change = (wish / left) * missing - acceleration_;
   const double size = sizeOf(change, reach_);
-  const double allowed = jerk * dt;
-  acceleration_ = acceleration_ + (size > allowed ? allowed / size : 1.0) * change;
+  acceleration_ = acceleration_ + (size > step ? step / size : 1.0) * change;
   const Twist2 next = command_ + dt * acceleration_;
   const Twist2 after = target - next;
   const bool past =
