@@ -18,11 +18,6 @@ double cross(const Vector2d& a, const Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-double wholeTurn(double angle) {
-  const double left = std::fmod(angle, kTurn);
-  return left < 0.0 ? left + kTurn : left;
-}
-
 }  // namespace
 
 Corridor::Corridor(const Footprint& footprint, const Vector2d& direction, double margin)
@@ -62,9 +57,17 @@ SweptPath::SweptPath(const Footprint& footprint, const Twist2& twist, double mar
     centre_ = Vector2d(-unit_.vy, unit_.vx) / unit_.w;
     farthest_ = footprint.farthestFrom(centre_);
     nearest_ = std::max(0.0, footprint.distanceTo(centre_));
+    const auto& edges = footprint.edges();
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      const double turn = edges[i].normal.dot(edges[(i + 1) % edges.size()].normal);
+      mitre_ = std::max(mitre_, std::sqrt(2.0 / std::max(0.02, 1.0 + turn)));
+    }
     for (const auto& edge : footprint.edges()) {
-      turning_edges_.push_back({edge.offset - edge.normal.dot(centre_),
-                                std::atan2(edge.normal.y(), edge.normal.x()), edge.normal});
+      const Vector2d from = edge.from - centre_, along = (edge.to - edge.from).normalized();
+      const Vector2d foot =
+          from - std::clamp(from.dot(along), -(edge.to - edge.from).norm(), 0.0) * along;
+      turning_edges_.push_back({edge.offset - edge.normal.dot(centre_), edge.normal, foot.norm(),
+                                std::max(from.norm(), (edge.to - centre_).norm())});
     }
     return;
   }
@@ -117,9 +120,11 @@ SweptPath::Contact SweptPath::contact(double distance, double speed) const {
 }
 
 SweptPath::Contact SweptPath::meetTurning(const Vector2d& point, double radius) const {
-  const double from_centre = (point - centre_).norm();
   const double reach = radius + margin_;
-  if (from_centre > farthest_ + reach || from_centre < nearest_ - reach) return {};
+  const double square = (point - centre_).squaredNorm();
+  const double outer = farthest_ + reach, inner = std::max(0.0, nearest_ - reach);
+  if (square > outer * outer || square < inner * inner) return {};
+  const double from_centre = std::sqrt(square);
   const double speed = std::abs(unit_.w) * from_centre;
   if (from_centre <= farthest_ + radius && from_centre >= nearest_ - radius) {
     const double angle = angleToTouch(point, radius);
@@ -138,28 +143,39 @@ SweptPath::Contact SweptPath::meetTurning(const Vector2d& point, double radius) 
 }
 
 // The point goes round the centre, seen from the robot, against the robot's turn. It touches where
-// it enters the half plane of one edge (grown by the inflation) while it is in those of all others.
+// its circle enters the half plane of one edge (grown by the inflation) within those of all others.
 double SweptPath::angleToTouch(const Vector2d& point, double inflation) const {
   const Vector2d arm = point - centre_;
-  const double from_centre = arm.norm();
+  const double square = arm.squaredNorm(), from_centre = std::sqrt(square);
   const double sense = unit_.w > 0.0 ? 1.0 : -1.0;
-  const double now = std::atan2(arm.y(), arm.x());
-  const auto insideAll = [&](const Vector2d& at) {
-    for (const auto& edge : turning_edges_) {
+  const std::size_t count = turning_edges_.size();
+  // The edges next to the one that is looked at are most likely to be in the way: they come first.
+  const auto insideFrom = [&](std::size_t first, std::size_t last, const Vector2d& at) {
+    for (std::size_t i = first; i < last; ++i) {
+      const TurningEdge& edge = turning_edges_[i < count ? i : i - count];
       if (edge.normal.dot(at) > edge.offset + inflation + kOnEdge) return false;
     }
     return true;
   };
-  if (insideAll(arm)) return kInside;
+  if (insideFrom(0, count, arm)) return kInside;
   double first = kInfinite;
-  for (const auto& edge : turning_edges_) {
-    const double cosine = (edge.offset + inflation) / from_centre;
-    if (cosine <= -1.0) return kNever;  // the whole circle lies outside
-    if (cosine >= 1.0) continue;        // the whole circle lies inside
-    const double entry = edge.angle - sense * std::acos(cosine);
-    const double turn = wholeTurn(sense * (now - entry));
-    if (turn >= first) continue;
-    if (insideAll(from_centre * Vector2d(std::cos(entry), std::sin(entry)))) first = turn;
+  for (std::size_t i = 0; i < count; ++i) {
+    const TurningEdge& edge = turning_edges_[i];
+    const double spread = mitre_ * inflation;
+    const double offset = edge.offset + inflation;
+    // Where the circle cannot cross the edge itself its line may be crossed elsewhere: no entry.
+    const bool may = from_centre <= edge.most + spread && from_centre >= edge.least - spread;
+    if (!may && offset > -from_centre) continue;
+    const double along = square - offset * offset;
+    if (along <= 0.0) {
+      if (offset < 0.0) return kNever;  // the whole circle lies outside
+      continue;                         // or inside
+    }
+    const Vector2d entry = offset * edge.normal +
+                           sense * std::sqrt(along) * Vector2d(edge.normal.y(), -edge.normal.x());
+    if (!insideFrom(i + 1, i + count, entry)) continue;
+    const double turn = std::atan2(sense * cross(entry, arm), entry.dot(arm));
+    first = std::min(first, turn < 0.0 ? turn + kTurn : turn);
   }
   return first < kInfinite ? first : kNever;
 }

@@ -56,8 +56,8 @@ class SweptPath {
   static constexpr double kInside = -2.0;
   struct TurningEdge {
     double offset;  ///< of the edge's line from the centre of rotation, along the normal [m]
-    double angle;   ///< of the normal [rad]
     Eigen::Vector2d normal;
+    double least, most;  ///< distance of the edge from the centre [m]
   };
   Contact meetStraight(const Eigen::Vector2d& point, double radius) const;
   Contact meetTurning(const Eigen::Vector2d& point, double radius) const;
@@ -77,6 +77,7 @@ class SweptPath {
   Eigen::Vector2d centre_{0.0, 0.0};       ///< turning: of rotation
   double nearest_ = 0.0, farthest_ = 0.0;  ///< turning: of the footprint from the centre [m]
   std::vector<TurningEdge> turning_edges_;
+  double mitre_ = 1.0;  ///< how much farther than by the inflation a corner grows
 };
 
 }  // namespace pilothouse
