@@ -13,15 +13,28 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>
 
 #include "core/cloud/message_bounds.hpp"
+#include "core/cloud/wire_schema.hpp"
 
 namespace pilothouse {
 
-/// The first length prefix that lies in the bytes of a message of the kind.
+/// Where the lengths lie in a message of the kind. @throws std::logic_error where its definition
+/// cannot be read, which is a fault of who generated it.
+template <class Message>
+const WireSchema& wireSchemaOf() {
+  static const Checked<WireSchema> schema = WireSchema::parse(
+      ros::message_traits::datatype<Message>(), ros::message_traits::definition<Message>());
+  if (!schema) throw std::logic_error(schema.reason());
+  return *schema;
+}
+
+/// The first length prefix that lies in the bytes of a message of the kind: by bounds of its own
+/// for the large ones that sensors send, else by its definition.
 template <class Message>
 std::optional<LengthFault> lengthFault(const std::uint8_t* bytes, std::size_t size) {
   if constexpr (std::is_same_v<Message, sensor_msgs::PointCloud2>) {
@@ -39,9 +52,7 @@ std::optional<LengthFault> lengthFault(const std::uint8_t* bytes, std::size_t si
   } else if constexpr (std::is_same_v<Message, nav_msgs::Path>) {
     return pathFault(bytes, size);
   } else {
-    static_cast<void>(bytes);
-    static_cast<void>(size);
-    return std::nullopt;
+    return wireSchemaOf<Message>().fault(bytes, size);
   }
 }
 
@@ -58,7 +69,9 @@ class GuardedCallbackHelper : public ros::SubscriptionCallbackHelperT<Parameter>
 
  public:
   GuardedCallbackHelper(const typename Plain::Callback& callback, OnRefused on_refused)
-      : Plain(callback), on_refused_(std::move(on_refused)) {}
+      : Plain(callback), on_refused_(std::move(on_refused)) {
+    lengthFault<Message>(nullptr, 0);  // a definition that cannot be read is told now
+  }
 
   ros::VoidConstPtr deserialize(
       const ros::SubscriptionCallbackHelperDeserializeParams& params) override {

@@ -21,7 +21,7 @@ struct MessageBounds {
 
 /// A length in a serialised message that does not fit its bytes or its bounds.
 struct LengthFault {
-  const char* thing;    ///< what the length belongs to; a literal
+  const char* thing;    ///< what the length belongs to
   std::uint64_t value;  ///< as claimed
   std::uint64_t limit;  ///< largest that would have been accepted here
 };

@@ -103,6 +103,16 @@ CORPUS = {
         "info_bomb": b"\3" + info_message(coefficients=0x20000001),
         "path": b"\6" + HEADER + struct.pack("<I", 1) + HEADER + bytes(56),
     },
+    "wire_schema": {
+        "nested": b"\0" + HEADER + struct.pack("<I", 1) + text(b"n") + struct.pack("<If", 1, 1.0) +
+                  struct.pack("<I", 1) + bytes(8) + text(b"data") + bytes(72) + text(b"a") + text(b"b"),
+        "bomb": b"\0" + HEADER + struct.pack("<I", 40000000) + bytes(40),
+        "words": b"\1" + struct.pack("<I", 2) + text(b"one") + text(b"two") + struct.pack("<I", 3),
+        "empty_ones": b"\1" + struct.pack("<II", 0, 0xFFFFFFFF),
+        "definition": b"\2B[3] b\nstring S=# c\n~p/B\nint16[] x # y\nHeader h\n~std_msgs/Header\n"
+                      b"time t\n\0" + 3 * (struct.pack("<Ih", 1, 5) + bytes(8)),
+        "itself": b"\2A[] a\n\0",
+    },
     "file_headers": {
         "pcd_binary": pcd(bytes(24), "binary"),
         "pcd_ascii": pcd(b"0 0 1\n0 nan 1\n", "ascii"),
