@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "core/motion/footprint.hpp"
+#include "sim/world_scene.hpp"
+
+namespace pilothouse::sim {
+
+/// Everybody in a world who follows a path. Each has a clock of their own, which stands while the
+/// robot is in the way of somebody courteous.
+class Actors {
+ public:
+  explicit Actors(const World& world);
+
+  /// Moves them on by `dt` [s]; the scene sees it after its commit().
+  /// @param robot pose of the footprint, world.
+  void step(WorldScene& scene, const Footprint& footprint, const Pose2& robot, double dt);
+  /// From now on the model stands where it was put. No effect on one that is no actor.
+  void release(std::size_t model);
+
+ private:
+  struct Actor {
+    std::size_t number;  ///< index into World::models
+    const Model* model;
+    double radius;  ///< of the circle round its solid parts [m]
+    double clock = 0.0;
+    bool walks = true;
+  };
+  static bool robotAhead(const Actor& actor, const Footprint& footprint, const Pose2& robot,
+                         double dt);
+
+  std::vector<Actor> actors_;
+};
+
+}  // namespace pilothouse::sim
