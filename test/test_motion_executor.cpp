@@ -1,0 +1,393 @@
+// The executor drives simple simulated bases: a command arrives late, the speed follows it with a
+// lag and bounded accelerations, as behind a speed limiter.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <deque>
+#include <limits>
+
+#include "core/motion/kinematics.hpp"
+#include "core/motion/motion_executor.hpp"
+#include "sim/random.hpp"
+
+namespace pilothouse {
+namespace {
+
+using Eigen::Vector2d;
+using Points = std::vector<Vector2d>;
+
+constexpr double kStep = 0.02;  // [s]
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+BaseParameters baseOf(BaseKind kind) {
+  BaseParameters base;
+  base.kind = kind;
+  base.wheelbase = kind == BaseKind::kDifferential ? 0.0 : 0.4;
+  return base;
+}
+
+class Simulated {
+ public:
+  Simulated(const BaseParameters& base, const Pose2& pose) : base_(base), pose_(pose) {}
+  void step(const Twist2& wanted) {
+    late_.push_back(withinLimits(wanted, base_));
+    const Twist2 command = late_.front();
+    if (late_.size() > 4) late_.pop_front();
+    approach(command_.vx, command.vx, 0.5);
+    approach(command_.vy, command.vy, 0.5);
+    approach(command_.w, command.w, 1.5);
+    const double share = kStep / (kStep + base_.lag);
+    twist_ = twist_ + share * (command_ - twist_);
+    pose_ = advanced(pose_, twist_, kStep);
+  }
+  const Pose2& pose() const { return pose_; }
+  void put(const Pose2& pose) { pose_ = pose; }
+  const Twist2& twist() const { return twist_; }
+
+ private:
+  static void approach(double& value, double target, double rate) {
+    value += std::clamp(target - value, -rate * kStep, rate * kStep);
+  }
+  BaseParameters base_;
+  Pose2 pose_;
+  Twist2 command_, twist_;
+  std::deque<Twist2> late_;
+};
+
+/// Distance of a point from the polyline.
+double offLegs(const Vector2d& p, const Points& points) {
+  double least = kInfinity;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const Vector2d leg = points[i] - points[i - 1];
+    const double share =
+        std::clamp(leg.dot(p - points[i - 1]) / std::max(1e-12, leg.squaredNorm()), 0.0, 1.0);
+    least = std::min(least, (p - points[i - 1] - share * leg).norm());
+  }
+  return least;
+}
+
+struct Drive {
+  std::vector<Pose2> track;
+  ExecutorOutput last;
+  double seconds = 0.0;
+  double farthest_off = 0.0;  ///< from the legs [m]
+  double fastest = 0.0;       ///< [m/s]
+
+  double passed(const Vector2d& point) const {
+    double least = kInfinity;
+    for (const auto& pose : track) least = std::min(least, (pose.position() - point).norm());
+    return least;
+  }
+};
+
+/// Drives until it says reached and stands, or the time is up.
+Drive drive(MotionExecutor& executor, Simulated& robot, const BaseParameters& base, Points points,
+            std::optional<double> heading, double seconds) {
+  Drive drive;
+  executor.drive(points, heading, false, robot.pose());
+  points.insert(points.begin(), robot.pose().position());
+  Twist2 wanted;
+  for (int i = 0; i * kStep < seconds; ++i) {
+    if (i % 2 == 0) {
+      ExecutorInput input;
+      input.now = i * kStep;
+      input.pose = robot.pose();
+      drive.last = executor.step(input);
+      wanted = drive.last.wanted;
+      EXPECT_TRUE(wanted.finite());
+      EXPECT_LE(wanted.linear(), base.max_speed);
+      EXPECT_LE(std::abs(wanted.w), base.max_turn_rate);
+      if (base.kind == BaseKind::kDifferential) {
+        EXPECT_EQ(wanted.vy, 0.0);
+      }
+    }
+    robot.step(wanted);
+    drive.track.push_back(robot.pose());
+    drive.farthest_off = std::max(drive.farthest_off, offLegs(robot.pose().position(), points));
+    drive.fastest = std::max(drive.fastest, robot.twist().linear());
+    drive.seconds = i * kStep;
+    const bool stands = robot.twist().linear() < 1e-4 && std::abs(robot.twist().w) < 1e-4;
+    if (drive.last.state == ExecutorState::kReached && stands) break;
+  }
+  return drive;
+}
+
+class EachBase : public testing::TestWithParam<std::tuple<BaseKind, HeadingMode>> {
+ protected:
+  const BaseParameters base_ = baseOf(std::get<0>(GetParam()));
+  ExecutorParameters parameters() const {
+    ExecutorParameters p;
+    p.heading = std::get<1>(GetParam());
+    return p;
+  }
+};
+
+TEST_P(EachBase, ReachesTheEndOfRandomRoutesInTheirOrderWithoutCuttingCorners) {
+  sim::Random random(7);
+  double worst_off = 0.0, worst_end = 0.0, worst_turn = 0.0;
+  for (int run = 0; run < 60; ++run) {
+    Points points;
+    for (int i = random.integer(1, 6); i > 0; --i) {
+      points.emplace_back(random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0));
+    }
+    const Pose2 start{random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0),
+                      random.uniform(-3.1, 3.1)};
+    const bool with_heading = random.chance(0.5);
+    const double heading = random.uniform(-3.1, 3.1);
+    MotionExecutor executor(parameters(), base_);
+    Simulated robot(base_, start);
+    const Drive done = drive(executor, robot, base_, points,
+                             with_heading ? std::optional<double>(heading) : std::nullopt, 240.0);
+    SCOPED_TRACE("run " + std::to_string(run));
+    ASSERT_EQ(done.last.state, ExecutorState::kReached);
+    const double end = (robot.pose().position() - points.back()).norm();
+    EXPECT_LE(end, 0.03);
+    if (with_heading) {
+      const double turn = std::abs(wrapped(robot.pose().heading - heading));
+      EXPECT_LE(turn, 0.035);
+      worst_turn = std::max(worst_turn, turn);
+    }
+    for (const auto& point : points) {
+      EXPECT_LE(done.passed(point), parameters().corners.max_cut + 0.05);
+    }
+    EXPECT_LE(done.farthest_off, parameters().corners.max_cut + 0.08);
+    EXPECT_EQ(done.last.target, points.size() - 1);
+    EXPECT_EQ(done.last.distance_left, 0.0);
+    worst_off = std::max(worst_off, done.farthest_off);
+    worst_end = std::max(worst_end, end);
+  }
+  RecordProperty("worst_off_mm", static_cast<int>(1e3 * worst_off));
+  std::printf("off the legs %.3f m, off the end %.3f m and %.2f deg\n", worst_off, worst_end,
+              worst_turn * 57.3);
+}
+
+TEST_P(EachBase, StopsAtTheEndWithoutOvershoot) {
+  MotionExecutor executor(parameters(), base_);
+  Simulated robot(base_, {});
+  const Drive done = drive(executor, robot, base_, {{3.0, 0.0}}, std::nullopt, 60.0);
+  double farthest = 0.0;
+  for (const auto& pose : done.track) farthest = std::max(farthest, pose.x);
+  EXPECT_LE(farthest, 3.02);
+  EXPECT_GT(done.fastest, 0.9 * std::min(base_.max_speed, parameters().limits.max_speed));
+}
+
+TEST_P(EachBase, AFigureOfEightIsDrivenWholeAtItsCrossing) {
+  MotionExecutor executor(parameters(), base_);
+  Simulated robot(base_, {});
+  const Points points{{2, 2}, {2, 0}, {0, 2}, {-0.1, 0.1}, {-1.0, 0.1}};
+  const Drive done = drive(executor, robot, base_, points, std::nullopt, 200.0);
+  ASSERT_EQ(done.last.state, ExecutorState::kReached);
+  for (const auto& point : points) EXPECT_LE(done.passed(point), 0.15);
+}
+
+TEST_P(EachBase, ThereAndBackOnOneLineTouchesTheFarEnd) {
+  MotionExecutor executor(parameters(), base_);
+  Simulated robot(base_, {});
+  const Drive done = drive(executor, robot, base_, {{2, 0}, {0, 0}}, std::nullopt, 120.0);
+  ASSERT_EQ(done.last.state, ExecutorState::kReached);
+  EXPECT_LE(done.passed({2, 0}), 0.03);
+}
+
+TEST_P(EachBase, ALoopIsDrivenRoundAndRound) {
+  MotionExecutor executor(parameters(), base_);
+  Simulated robot(base_, {});
+  const Points points{{1, 0}, {2, 1}, {1, 2}, {0, 1}};
+  executor.drive(points, std::nullopt, true, robot.pose());
+  std::vector<std::size_t> targets;
+  for (int i = 0; i < 50 * 120; ++i) {
+    ExecutorInput input;
+    input.now = i * kStep;
+    input.pose = robot.pose();
+    const ExecutorOutput output = executor.step(input);
+    ASSERT_EQ(output.state, ExecutorState::kDriving);
+    if (targets.empty() || targets.back() != output.target) targets.push_back(output.target);
+    robot.step(output.wanted);
+  }
+  ASSERT_GE(targets.size(), 12U);
+  for (std::size_t i = 0; i < targets.size(); ++i) EXPECT_EQ(targets[i], i % 4);
+}
+
+TEST_P(EachBase, AfterAJumpItGoesOnAtTheNearestPlaceToCome) {
+  MotionExecutor executor(parameters(), base_);
+  Simulated robot(base_, {});
+  const Points points{{4, 0}, {4, 4}, {0, 4}};
+  executor.drive(points, std::nullopt, false, robot.pose());
+  std::size_t after_jump = 0;
+  double now = 0.0;
+  ExecutorOutput output;
+  for (int i = 0; i < 50 * 200 && output.state != ExecutorState::kReached; ++i, now += kStep) {
+    if (i == 200) robot.put({4.3, 1.5, 1.0});
+    ExecutorInput input;
+    input.now = now;
+    input.pose = robot.pose();
+    output = executor.step(input);
+    if (i == 202) after_jump = output.target;
+    robot.step(output.wanted);
+  }
+  EXPECT_EQ(after_jump, 1U);
+  EXPECT_EQ(output.state, ExecutorState::kReached);
+}
+
+std::string nameOf(const testing::TestParamInfo<std::tuple<BaseKind, HeadingMode>>& info) {
+  const char* kinds[] = {"steered", "differential", "omnidirectional"};
+  const bool kept = std::get<1>(info.param) == HeadingMode::kKept;
+  return std::string(kinds[static_cast<int>(std::get<0>(info.param))]) + (kept ? "_kept" : "");
+}
+INSTANTIATE_TEST_SUITE_P(
+    Bases, EachBase,
+    testing::Values(std::make_tuple(BaseKind::kFourWheelSteered, HeadingMode::kFree),
+                    std::make_tuple(BaseKind::kFourWheelSteered, HeadingMode::kKept),
+                    std::make_tuple(BaseKind::kDifferential, HeadingMode::kFree),
+                    std::make_tuple(BaseKind::kOmnidirectional, HeadingMode::kFree),
+                    std::make_tuple(BaseKind::kOmnidirectional, HeadingMode::kKept)),
+    nameOf);
+
+TEST(MotionExecutor, TurnsInPlaceFirstWhereTheRouteStartsBehind) {
+  const BaseParameters base = baseOf(BaseKind::kDifferential);
+  MotionExecutor executor({}, base);
+  executor.drive({{-2, 0}}, std::nullopt, false, {});
+  ExecutorInput input;
+  const Twist2 wanted = executor.step(input).wanted;
+  EXPECT_EQ(wanted.vx, 0.0);
+  EXPECT_GT(std::abs(wanted.w), 0.3);
+}
+
+TEST(MotionExecutor, ABaseThatKeepsItsHeadingDrivesSidewaysWithoutTurning) {
+  const BaseParameters base = baseOf(BaseKind::kOmnidirectional);
+  ExecutorParameters parameters;
+  parameters.heading = HeadingMode::kKept;
+  MotionExecutor executor(parameters, base);
+  Simulated robot(base, {0.0, 0.0, 0.4});
+  const Drive done = drive(executor, robot, base, {{0, 2}, {-2, 2}}, std::nullopt, 60.0);
+  for (const auto& pose : done.track) EXPECT_NEAR(pose.heading, 0.4, 0.02);
+}
+
+/// Holds a robot that drives ahead at x = 1 as long as `held` says.
+struct HeldDrive {
+  explicit HeldDrive(Hold hold, BaseKind kind = BaseKind::kDifferential)
+      : base(baseOf(kind)), executor({}, base), robot(base, {}), hold(hold) {
+    executor.drive({{3, 0}}, std::nullopt, false, robot.pose());
+  }
+  ExecutorOutput step() {
+    ExecutorInput input;
+    input.now = now;
+    input.pose = robot.pose();
+    if (robot.pose().x >= 1.0 && hold != Hold::kNone) {
+      input.hold = hold;
+      input.reason = "a box";
+    }
+    ExecutorOutput output = executor.step(input);
+    const bool ahead = output.wanted.vx > 0.0;
+    robot.step(input.hold != Hold::kNone && ahead ? Twist2{} : output.wanted);
+    now += kStep;
+    return output;
+  }
+  BaseParameters base;
+  MotionExecutor executor;
+  Simulated robot;
+  Hold hold;
+  double now = 0.0;
+};
+
+TEST(MotionExecutor, HeldByWhatIsOnlyRememberedItGoesBackToLookThreeTimesThenWaits) {
+  for (const BaseKind kind : {BaseKind::kDifferential, BaseKind::kOmnidirectional}) {
+    HeldDrive held(Hold::kRemembered, kind);
+    std::vector<double> distances;
+    bool back = false;
+    double from = 0.0, fastest_back = 0.0;
+    ExecutorOutput output;
+    for (int i = 0; i < 50 * 120; ++i) {
+      output = held.step();
+      const double x = held.robot.pose().x;
+      if (output.wanted.vx < 0.0 && !back) {
+        distances.push_back(0.0);
+        from = x;
+      }
+      back = output.wanted.vx < 0.0 || (back && output.wanted.zero());
+      if (back) distances.back() = std::max(distances.back(), from - x);
+      fastest_back = std::max(fastest_back, -held.robot.twist().vx);
+    }
+    ASSERT_EQ(distances.size(), 3U);
+    for (const double distance : distances) {
+      EXPECT_GE(distance, 0.3);
+      EXPECT_LE(distance, 0.4);
+    }
+    EXPECT_LE(fastest_back, 0.1 + 1e-9);
+    EXPECT_EQ(output.state, ExecutorState::kWaiting);
+    EXPECT_EQ(output.text, "a box; looked again 3 times");
+  }
+}
+
+TEST(MotionExecutor, GoesOnWhenTheLookShowsThatTheWayIsFree) {
+  HeldDrive held(Hold::kRemembered);
+  ExecutorOutput output;
+  for (int i = 0; i < 50 * 60 && output.state != ExecutorState::kReached; ++i) {
+    output = held.step();
+    if (output.wanted.vx < 0.0) held.hold = Hold::kNone;
+  }
+  EXPECT_EQ(output.state, ExecutorState::kReached);
+}
+
+TEST(MotionExecutor, HeldByWhatIsSeenItWaitsWhereItStands) {
+  HeldDrive held(Hold::kSeen);
+  ExecutorOutput output;
+  for (int i = 0; i < 50 * 40; ++i) {
+    output = held.step();
+    ASSERT_GE(output.wanted.vx, 0.0);
+  }
+  EXPECT_EQ(output.state, ExecutorState::kWaiting);
+  EXPECT_EQ(output.text, "a box");
+  EXPECT_GE(held.robot.pose().x, 0.99);
+}
+
+TEST(MotionExecutor, WithoutARouteItWantsNothing) {
+  MotionExecutor executor({}, baseOf(BaseKind::kDifferential));
+  EXPECT_EQ(executor.step({}).state, ExecutorState::kIdle);
+  executor.drive({{1, 0}}, std::nullopt, false, {});
+  executor.cancel();
+  EXPECT_EQ(executor.step({}).state, ExecutorState::kIdle);
+  EXPECT_TRUE(executor.step({}).wanted.zero());
+}
+
+TEST(MotionExecutor, NoRouteAndNoPoseMakesItWantMoreThanTheBaseCan) {
+  sim::Random random(11);
+  for (int run = 0; run < 300; ++run) {
+    const BaseParameters base = baseOf(static_cast<BaseKind>(random.integer(0, 2)));
+    MotionExecutor executor({}, base);
+    Points points;
+    for (int i = random.integer(0, 20); i > 0; --i) {
+      const double size = random.chance(0.2) ? 1e-4 : random.chance(0.1) ? 1e4 : 2.0;
+      points.emplace_back(random.uniform(-size, size), random.uniform(-size, size));
+    }
+    executor.drive(points, random.uniform(-9.0, 9.0), random.chance(0.5), {});
+    for (int i = 0; i < 300; ++i) {
+      ExecutorInput input;
+      input.now = random.uniform(-1.0, 100.0);
+      input.pose = {random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0),
+                    random.uniform(-9.0, 9.0)};
+      if (random.chance(0.02)) input.pose.x = std::nan("");
+      input.hold = static_cast<Hold>(random.integer(0, 3));
+      const ExecutorOutput output = executor.step(input);
+      ASSERT_TRUE(output.wanted.finite());
+      ASSERT_LE(output.wanted.linear(), base.max_speed);
+      ASSERT_LE(std::abs(output.wanted.w), base.max_turn_rate);
+      ASSERT_TRUE(std::isfinite(output.distance_left));
+      ASSERT_LT(output.target, std::max<std::size_t>(1, points.size()));
+    }
+  }
+}
+
+TEST(MotionExecutor, EveryParameterIsHeldToItsRange) {
+  ExecutorParameters sound;
+  EXPECT_TRUE(validate(sound).empty());
+  ExecutorParameters bad;
+  bad.limits.max_speed = std::nan("");
+  bad.looks = 101;
+  ASSERT_EQ(validate(bad).size(), 2U);
+  EXPECT_EQ(validate(bad)[0], "max_speed is nan, expected 0.02 to 10");
+  EXPECT_EQ(validate(bad)[1], "looks is 101, expected 0 to 100");
+  EXPECT_THROW(MotionExecutor(bad, baseOf(BaseKind::kDifferential)), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace pilothouse
