@@ -37,8 +37,10 @@ class WorldCamera {
   WorldCamera& operator=(const WorldCamera&) = delete;
 
   const CameraProfile& profile() const;
+  enum class Wanted { kDepth, kDepthAndColour };
   /// One ray a pixel. @param scene of the same world, committed.
-  void render(const WorldScene& scene, const Eigen::Isometry3d& T_world_optical);
+  void render(const WorldScene& scene, const Eigen::Isometry3d& T_world_optical,
+              Wanted wanted = Wanted::kDepthAndColour);
 
   /// Perfect depth along the optical axis, row by row [m]; 0: nothing there, or (as the profile
   /// has it) glass or sunlight in the way.
@@ -46,7 +48,9 @@ class WorldCamera {
   /// What the camera measures: 16UC1 [mm], row by row; 0: no measurement. Same profile, view, seed
   /// and frame: same bytes. @param out width * height values.
   void depth(std::uint64_t seed, std::uint64_t frame, std::uint16_t* out) const;
-  /// RGB, three bytes a pixel, row by row. @param out 3 * width * height bytes.
+  /// RGB, three bytes a pixel, row by row, of a view rendered with colour; its scene must still be
+  /// as it was. @param out 3 * width * height bytes. @throws std::logic_error without a colour
+  /// view.
   void colour(std::uint8_t* out);
 
  private:

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/world.hpp"
+
+namespace pilothouse::sim {
+
+/// A texture that is computed, so that worlds look like something without files beside them.
+struct ProceduralTexture {
+  Texture picture;
+  double metres;  ///< that the picture covers
+};
+/// By name, as in <pilothouse:texture>wood</pilothouse:texture>; none: no such name.
+std::optional<ProceduralTexture> proceduralTexture(const std::string& name);
+std::vector<std::string> proceduralTextureNames();
+
+}  // namespace pilothouse::sim
