@@ -8,6 +8,8 @@
 #include <cstdlib>
 #include <memory>
 
+#include "gui/model/helm.hpp"
+#include "gui/model/key_watcher.hpp"
 #include "gui/model/ros_link.hpp"
 #include "gui/view/main_window.hpp"
 #include "gui/view/options.hpp"
@@ -37,6 +39,7 @@ int main(int argc, char** argv) {
     std::fputs(kUsage, stdout);
     return 0;
   }
+  KeyWatcher::prepare();
   QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
   QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
   QCoreApplication::setOrganizationName("pilothouse");
@@ -51,14 +54,21 @@ int main(int argc, char** argv) {
   theme::apply(application);
   // Leaked on purpose: a ROS call that never returns may still hold them when the process ends.
   auto& state = *new ConsoleState;
-  auto& link = *new RosLink(arguments, state);
-  const PanelContext context{state, *robot, [&link](const std::string& method, bool calibrate) {
-                               link.askFloor(method, calibrate);
-                             }};
+  auto& helm = *new Helm(robot->drive);
+  auto& link = *new RosLink(arguments, state, &helm);
+  const PanelContext context{
+      state, *robot,
+      [&link](const std::string& method, bool calibrate) { link.askFloor(method, calibrate); },
+      &helm, [&link] { link.askArm(); }};
   const bool pictured = !options->screenshot.isEmpty();
-  auto window_owner = std::make_unique<MainWindow>(context, !pictured);
+  const bool watches_keys = QGuiApplication::platformName() == "xcb";
+  std::unique_ptr<KeyWatcher> watcher;
+  if (watches_keys) watcher = KeyWatcher::open(helm);
+  auto window_owner = std::make_unique<MainWindow>(context, !pictured, watcher != nullptr);
   MainWindow& window = *window_owner;
   window.show();
+  if (watcher) watcher->heed(window.winId());
+  helm.start();
   std::signal(SIGINT, interrupt);
   std::signal(SIGTERM, interrupt);
   link.start();
@@ -71,6 +81,8 @@ int main(int argc, char** argv) {
   watch.start(100);
 
   const int result = application.exec();
+  helm.leave();
+  watcher.reset();
   window.hide();
   watch.stop();
   window_owner.reset();  // before ROS goes: the 3D panel uses it

@@ -57,7 +57,7 @@ class Program(unittest.TestCase):
             out.write(text.replace("height: 0.75", "height: tall"))
         done = self.run_console("--robot", path)
         self.assertEqual(done.returncode, 2)
-        self.assertIn("height: 'tall', expected a number", done.stderr)
+        self.assertIn('height is "tall" (a string), expected a number', done.stderr)
 
     def test_every_robot_of_the_package_is_read(self):
         for name in sorted(os.listdir(os.path.join(SOURCE, "config/robots"))):
@@ -75,7 +75,7 @@ class Program(unittest.TestCase):
             with open(shot, "rb") as picture:
                 head = picture.read(24)
             width, height = struct.unpack(">II", head[16:24])
-            self.assertEqual((width, height), (1280 * scale, 720 * scale))
+            self.assertEqual((width, height), (1280 * scale, 800 * scale))
 
     def test_ends_quickly_while_a_master_does_not_answer(self):
         process = subprocess.Popen([CONSOLE], env=self.environment)

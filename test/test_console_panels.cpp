@@ -14,6 +14,7 @@
 
 #include "gui/model/class_colours.hpp"
 #include "gui/model/clock.hpp"
+#include "gui/model/helm.hpp"
 #include "gui/view/header_strip.hpp"
 #include "gui/view/main_window.hpp"
 #include "gui/view/map_canvas.hpp"
@@ -285,7 +286,8 @@ TEST(MainWindow, aPanelThatCannotBeHadLeavesADisabledEntryWithTheReason) {
 TEST(MainWindow, fitsASmallScreen) {
   ConsoleState state;
   const RobotDescription r = robot();
-  MainWindow window({state, r, nullptr}, false);
+  Helm helm(r.drive);
+  MainWindow window({state, r, nullptr, &helm}, false);
   // 1280x720 at 200 %.
   EXPECT_LE(window.minimumSizeHint().width(), 640);
   EXPECT_LE(window.minimumSizeHint().height(), 360);

@@ -7,9 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "gui/model/drive_readings.hpp"
 #include "gui/model/feed.hpp"
 #include "gui/model/pictures.hpp"
+#include "gui/model/robot_clock.hpp"
 #include "gui/model/situation.hpp"
+#include "gui/model/telemetry.hpp"
 
 namespace pilothouse::gui {
 
@@ -24,6 +27,12 @@ class Guarded {
   T get() const {
     const std::lock_guard<std::mutex> lock(mutex_);
     return value_;
+  }
+  /// Changes it in place; `change` must be short.
+  template <class Change>
+  void update(Change&& change) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    change(value_);
   }
 
  private:
@@ -44,6 +53,12 @@ struct FloorSettings {
   std::string fault;  ///< why the last wish was not granted; empty: it was
 };
 
+/// Something that was refused, and when (steady [s]).
+struct Refusal {
+  std::string reason;
+  double at = -1e9;
+};
+
 /// All that the console shows, between the ROS side that fills it and the panels that read it.
 /// Knows neither ROS nor widgets.
 struct ConsoleState {
@@ -51,6 +66,16 @@ struct ConsoleState {
   Feed<ColourPicture> colour;
   Feed<FloorPicture> floor;
   Feed<ObjectsPicture> objects;
+  Feed<LimitReading> limit;
+  Feed<StopReading> gate;
+  Telemetry telemetry;
+  Guarded<std::map<std::string, RangeReading>> ranges;   ///< by the ranger's name
+  Guarded<std::map<std::string, WantedReading>> wanted;  ///< by its source: teleop, task
+  Guarded<ContactsReading> contacts;
+  Guarded<RouteReading> route;
+  Guarded<Refusal> arming;                           ///< why the last arming failed
+  Guarded<std::map<std::string, Refusal>> refusals;  ///< by topic
+  RobotClock clock;
   Guarded<LinkStatus> link;
   Guarded<std::set<std::string>> advertised;          ///< resolved names of topics with a publisher
   Guarded<std::map<std::string, std::string>> names;  ///< relative topic -> resolved

@@ -7,13 +7,14 @@
 #include <chrono>
 
 #include "gui/model/clock.hpp"
+#include "gui/model/helm_topics.hpp"
 #include "gui/model/master.hpp"
 #include "gui/model/ros_streams.hpp"
 
 namespace pilothouse::gui {
 
-RosLink::RosLink(std::vector<std::string> arguments, ConsoleState& state)
-    : arguments_(std::move(arguments)), state_(state) {}
+RosLink::RosLink(std::vector<std::string> arguments, ConsoleState& state, Helm* helm)
+    : arguments_(std::move(arguments)), state_(state), helm_(helm) {}
 
 RosLink::~RosLink() {
   if (thread_.joinable()) thread_.detach();
@@ -42,15 +43,25 @@ bool RosLink::stop(double patience) {
   return true;
 }
 
-void RosLink::askFloor(const std::string& method, bool calibrate) {
+void RosLink::wish(std::function<void(RosStreams&)> wish) {
+  constexpr std::size_t kMostWishes = 16;  // a hanging master must not gather them without end
   const std::lock_guard<std::mutex> lock(mutex_);
-  wish_ = [=](RosStreams& streams) { streams.setFloor(method, calibrate); };
+  if (wishes_.size() < kMostWishes) wishes_.push_back(std::move(wish));
   wake_.notify_all();
+}
+
+void RosLink::askFloor(const std::string& method, bool calibrate) {
+  wish([=](RosStreams& streams) { streams.setFloor(method, calibrate); });
+}
+
+void RosLink::askArm() {
+  wish([](RosStreams& streams) { streams.drive().arm(); });
 }
 
 void RosLink::pause(double seconds) {
   std::unique_lock<std::mutex> lock(mutex_);
-  wake_.wait_for(lock, std::chrono::duration<double>(seconds), [&] { return stopping_ || wish_; });
+  wake_.wait_for(lock, std::chrono::duration<double>(seconds),
+                 [&] { return stopping_ || !wishes_.empty(); });
 }
 
 void RosLink::setPhase(LinkPhase phase, double round_trip_ms) {
@@ -79,17 +90,19 @@ void RosLink::run() {
   ros::master::setRetryTimeout(ros::WallDuration(1.0));
   setPhase(LinkPhase::kStarting, 0.0);
   for (;;) {
-    std::function<void(RosStreams&)> wish;
+    std::deque<std::function<void(RosStreams&)>> wishes;
     {
       const std::lock_guard<std::mutex> lock(mutex_);
       if (stopping_) break;
-      wish = std::move(wish_);
-      wish_ = nullptr;
+      wishes.swap(wishes_);
     }
-    if (wish && streams_) wish(*streams_);
+    for (const auto& wish : wishes) {
+      if (streams_) wish(*streams_);
+    }
     pause(connectedStep() ? 0.5 : 1.0);
   }
   streams_.reset();
+  if (helm_) helm_->connect(nullptr);
   if (ros::isStarted()) ros::shutdown();
 }
 
@@ -106,9 +119,11 @@ bool RosLink::connectedStep() {
   if (id != master_id_) {
     // A new master knows nothing of us: end the old subscriptions and make them again.
     streams_.reset();
+    if (helm_) helm_->connect(nullptr);
     // Started here and not by a first NodeHandle: the last handle to go would shut ROS down.
     if (!ros::isStarted()) ros::start();
-    streams_ = std::make_unique<RosStreams>(state_);
+    streams_ = std::make_unique<RosStreams>(state_, helm_);
+    if (helm_) helm_->connect(std::make_shared<HelmTopics>(state_.clock));
     master_id_ = id;
   }
   setPhase(LinkPhase::kConnected, round_trip_ms);

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <condition_variable>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -13,6 +14,7 @@
 
 namespace pilothouse::gui {
 
+class Helm;
 class RosStreams;
 
 /// Keeps the connection to the ROS master on a thread of its own: waits for a master, subscribes,
@@ -20,7 +22,8 @@ class RosStreams;
 class RosLink {
  public:
   /// @param arguments the command line; remappings (name:=value) are taken from it.
-  RosLink(std::vector<std::string> arguments, ConsoleState& state);
+  /// @param helm gets its topics from the connection; may be null. Outlives the link.
+  RosLink(std::vector<std::string> arguments, ConsoleState& state, Helm* helm = nullptr);
   ~RosLink();
   RosLink(const RosLink&) = delete;
   RosLink& operator=(const RosLink&) = delete;
@@ -31,6 +34,8 @@ class RosLink {
   bool stop(double patience);
   /// Asks the floor nodelet for a change of its parameters; the answer comes in floor_settings.
   void askFloor(const std::string& method, bool calibrate);
+  /// Asks the stop gate to let the robot drive again; a refusal comes in state.arming.
+  void askArm();
 
  private:
   void run();
@@ -39,12 +44,15 @@ class RosLink {
   void pause(double seconds);
 
   std::vector<std::string> arguments_;
+  void wish(std::function<void(RosStreams&)> wish);
+
   ConsoleState& state_;
+  Helm* helm_;
   std::unique_ptr<RosStreams> streams_;
   std::thread thread_;
   std::mutex mutex_;
   std::condition_variable wake_;
-  std::function<void(RosStreams&)> wish_;
+  std::deque<std::function<void(RosStreams&)>> wishes_;
   std::string master_id_;
   bool stopping_ = false;
   bool ended_ = false;

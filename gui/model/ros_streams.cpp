@@ -21,17 +21,28 @@ double latencyOf(const ros::Time& stamp) {
   return latency > 0.0 && latency < 10.0 ? latency : 0.0;
 }
 
+ros::NodeHandle onQueue(ros::CallbackQueue& queue) {
+  ros::NodeHandle node;
+  node.setCallbackQueue(&queue);
+  return node;
+}
+
 }  // namespace
 
-RosStreams::RosStreams(ConsoleState& state)
-    : state_(state), conversions_(state), began_(steadySeconds()), spinner_(1, &queue_) {
-  node_.setCallbackQueue(&queue_);
+RosStreams::RosStreams(ConsoleState& state, Helm* helm)
+    : state_(state),
+      node_(onQueue(queue_)),
+      conversions_(state),
+      drive_(node_, state, helm),
+      began_(steadySeconds()),
+      spinner_(1, &queue_) {
   listener_ = std::make_unique<tf2_ros::TransformListener>(transforms_, node_, false);
   std::map<std::string, std::string> names;
   for (const char* topic :
        {"camera/depth/image_rect", "camera/depth/camera_info", "camera/depth/points",
         "camera/rgb/image_rect_color", "camera/rgb/image_rect_color/compressed", "floor_grid",
-        "objects/camera"}) {
+        "objects/camera", "objects/merged", "objects/filtered", "speed_limit", "stop_state",
+        "odom"}) {
     names[topic] = node_.resolveName(topic);
   }
   state_.names.set(names);
@@ -95,6 +106,7 @@ void RosStreams::review() {
     for (const auto& topic : topics) advertised.insert(topic.name);
   }
   state_.advertised.set(advertised);
+  drive_.review(advertised);
   chooseSources();
   lookAtTransforms();
 }

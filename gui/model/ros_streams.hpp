@@ -14,6 +14,7 @@
 
 #include "gui/model/conversion_thread.hpp"
 #include "gui/model/diagnostics_board.hpp"
+#include "gui/model/drive_streams.hpp"
 
 namespace pilothouse::gui {
 
@@ -22,13 +23,15 @@ namespace pilothouse::gui {
 class RosStreams {
  public:
   /// The master must have answered just before: some of ROS waits for it.
-  explicit RosStreams(ConsoleState& state);
+  /// @param helm hears of the gate; may be null.
+  explicit RosStreams(ConsoleState& state, Helm* helm = nullptr);
   ~RosStreams();
 
   /// Once or twice a second: chooses between sources, looks at tf, publishes the topics in sight.
   void review();
   /// Calls the floor nodelet's set_parameters.
   void setFloor(const std::string& method, bool calibrate);
+  DriveStreams& drive() { return drive_; }
 
  private:
   template <class Message>
@@ -51,6 +54,7 @@ class RosStreams {
   tf2_ros::Buffer transforms_;
   std::unique_ptr<tf2_ros::TransformListener> listener_;
   ros::Subscriber depth_, info_, cloud_, colour_, coded_, floor_, objects_, complaints_, settings_;
+  DriveStreams drive_;
   double began_;
   ros::AsyncSpinner spinner_;
 };

@@ -98,7 +98,7 @@ QSize HeaderStrip::sizeHint() const {
   return {320, theme::kStripHeight};
 }
 QSize HeaderStrip::minimumSizeHint() const {
-  return {200, theme::kStripHeight};
+  return {150, theme::kStripHeight};
 }
 
 void HeaderStrip::resizeEvent(QResizeEvent*) {

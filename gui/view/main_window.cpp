@@ -9,9 +9,12 @@
 #include <QSettings>
 #include <QStatusBar>
 #include <QTimer>
+#include <QToolBar>
 #include <QVBoxLayout>
 
 #include "gui/model/clock.hpp"
+#include "gui/view/drive_bar.hpp"
+#include "gui/view/driving_keys.hpp"
 #include "gui/view/header_strip.hpp"
 #include "gui/view/help.hpp"
 #include "gui/view/status_line.hpp"
@@ -22,10 +25,10 @@ namespace pilothouse::gui {
 namespace {
 constexpr int kPictureInterval = 12;  // ms between looks for new pictures; Pace bounds the drawing
 constexpr int kNumberInterval = 200;  // ms
-constexpr int kLayoutVersion = 1;     // raise when ids or places of panels change
+constexpr int kLayoutVersion = 2;     // raise when ids or places of panels change
 }  // namespace
 
-MainWindow::MainWindow(const PanelContext& context, bool remember)
+MainWindow::MainWindow(const PanelContext& context, bool remember, bool keys_watched)
     : context_(context),
       remember_(remember),
       status_(new StatusLine),
@@ -34,8 +37,9 @@ MainWindow::MainWindow(const PanelContext& context, bool remember)
   setWindowTitle(tr("Pilothouse - %1").arg(QString::fromStdString(context.robot.title)));
   setDockOptions(AllowNestedDocks | AllowTabbedDocks | AnimatedDocks);
   // A screenshot has the same size on every screen; the operator's window must fit theirs.
-  const QSize usual(1280, 720);
+  const QSize usual(1280, 800);
   resize(remember ? usual.boundedTo(QGuiApplication::primaryScreen()->availableSize()) : usual);
+  if (context.helm) addDriveBar(keys_watched);
   for (const auto& entry : panelRegistry()) addPanel(entry);
   auto* bar = new QStatusBar;
   bar->setSizeGripEnabled(false);
@@ -57,6 +61,20 @@ MainWindow::MainWindow(const PanelContext& context, bool remember)
   refreshNow();
 }
 
+void MainWindow::addDriveBar(bool keys_watched) {
+  bar_ = new DriveBar(context_);
+  keys_ = new DrivingKeys(*context_.helm, keys_watched, this);
+  auto* tools = new QToolBar(tr("Drive"));
+  tools->setObjectName("drive_bar");
+  tools->setMovable(false);
+  tools->setFloatable(false);
+  tools->addWidget(bar_);
+  // The stop is always in sight: nothing may hide it.
+  tools->toggleViewAction()->setVisible(false);
+  tools->setContextMenuPolicy(Qt::PreventContextMenu);
+  addToolBar(Qt::TopToolBarArea, tools);
+}
+
 void MainWindow::addPanel(const PanelEntry& entry) {
   if (entry.hindrance && !entry.hindrance().isEmpty()) {
     panels_.push_back({entry, nullptr, nullptr});
@@ -76,37 +94,62 @@ void MainWindow::addPanel(const PanelEntry& entry) {
   panels_.push_back({entry, panel, dock});
 }
 
+// The map at the left; at the right a row of pictures, and the graphs below it.
 void MainWindow::resetLayout() {
-  QDockWidget* main = nullptr;
-  QDockWidget* side = nullptr;
-  QList<QDockWidget*> columns, rows;
-  QList<int> widths, heights;
+  QDockWidget* last[3] = {};
+  QDockWidget* first[3] = {};
+  const auto room = [](PanelPlace place) { return static_cast<std::size_t>(place); };
   for (const auto& shown : panels_) {
     if (!shown.dock) continue;
-    QDockWidget*& last = shown.entry.place == PanelPlace::kMain ? main : side;
     shown.dock->setFloating(false);
-    if (!last) {
-      addDockWidget(
-          shown.entry.place == PanelPlace::kMain ? Qt::LeftDockWidgetArea : Qt::RightDockWidgetArea,
-          shown.dock);
-      columns << shown.dock;
-      // 454 of 1280: room for a 4:3 picture with its legend in half the height.
-      const int side_width = width() * 454 / 1280;
-      widths << (shown.entry.place == PanelPlace::kMain ? width() - side_width : side_width);
-    } else if (shown.entry.place == PanelPlace::kMain) {
-      tabifyDockWidget(last, shown.dock);
-    } else {
-      splitDockWidget(last, shown.dock, Qt::Vertical);
+    QDockWidget*& before = last[room(shown.entry.place)];
+    if (!before) {
+      first[room(shown.entry.place)] = shown.dock;
+      if (shown.entry.place == PanelPlace::kMain) {
+        addDockWidget(Qt::LeftDockWidgetArea, shown.dock);
+      } else if (shown.entry.place == PanelPlace::kGraph && last[room(PanelPlace::kPicture)]) {
+        splitDockWidget(first[room(PanelPlace::kPicture)], shown.dock, Qt::Vertical);
+      } else {
+        addDockWidget(Qt::RightDockWidgetArea, shown.dock);
+      }
+    } else if (shown.entry.place != PanelPlace::kPicture) {
+      tabifyDockWidget(before, shown.dock);
     }
-    if (shown.entry.place == PanelPlace::kSide && shown.entry.shown) {
-      rows << shown.dock;
-      heights << height() / 2;
-    }
-    last = shown.dock;
+    before = shown.dock;
     shown.dock->setVisible(shown.entry.shown);
   }
-  resizeDocks(columns, widths, Qt::Horizontal);
+  // Side by side once the graphs lie below them all.
+  QDockWidget* left = first[room(PanelPlace::kPicture)];
+  for (const auto& shown : panels_) {
+    if (!shown.dock || shown.entry.place != PanelPlace::kPicture || shown.dock == left) continue;
+    splitDockWidget(left, shown.dock, Qt::Horizontal);
+    left = shown.dock;
+    shown.dock->setVisible(shown.entry.shown);
+  }
+  shareOut();
+}
+
+void MainWindow::shareOut() {
+  QList<QDockWidget*> columns, rows, pictures;
+  for (const auto& shown : panels_) {
+    if (!shown.dock || !shown.entry.shown) continue;
+    const bool begins = shown.entry.place == PanelPlace::kMain || pictures.isEmpty();
+    if (begins) columns << shown.dock;
+    if (shown.entry.place == PanelPlace::kPicture) pictures << shown.dock;
+    if (shown.entry.place == PanelPlace::kGraph) rows << shown.dock;
+  }
+  if (pictures.isEmpty() || columns.size() < 2) return;
+  rows.prepend(pictures.front());
+  // Pictures of 4:3 with their strip, in half the width.
+  const int side = width() * 52 / 100;
+  const int picture_height = side / 2 * 3 / 4;
+  resizeDocks({columns.front(), pictures.front()}, {width() - side, side}, Qt::Horizontal);
+  QList<int> heights;
+  for (int i = 0; i < rows.size(); ++i) heights << (i == 0 ? picture_height : height() / 2);
   resizeDocks(rows, heights, Qt::Vertical);
+  QList<int> widths;
+  for (int i = 0; i < pictures.size(); ++i) widths << side / static_cast<int>(pictures.size());
+  resizeDocks(pictures, widths, Qt::Horizontal);
 }
 
 void MainWindow::buildMenus() {
@@ -160,6 +203,7 @@ bool MainWindow::complete() const {
 
 void MainWindow::refreshPictures() {
   const double now = steadySeconds();
+  if (keys_) keys_->review();
   for (const auto& shown : panels_) {
     if (shown.panel) shown.panel->refreshPicture(now);
   }
@@ -170,6 +214,7 @@ void MainWindow::refreshNumbers() {
   for (const auto& shown : panels_) {
     if (shown.panel) shown.panel->refreshNumbers(now);
   }
+  if (bar_) bar_->refresh(now);
   status_->show(situationOf(context_.state, context_.robot.name, now));
 }
 

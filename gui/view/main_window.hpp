@@ -10,6 +10,8 @@ class QTimer;
 
 namespace pilothouse::gui {
 
+class DriveBar;
+class DrivingKeys;
 class StatusLine;
 
 /// The console's window: panels in docks, menus, status line, and the clock that refreshes them.
@@ -18,11 +20,14 @@ class MainWindow : public QMainWindow {
 
  public:
   /// @param remember whether the layout is read from and saved to the user's settings.
-  MainWindow(const PanelContext& context, bool remember);
+  /// @param keys_watched a KeyWatcher reads the driving keys.
+  MainWindow(const PanelContext& context, bool remember, bool keys_watched = false);
 
   /// Every shown panel has fresh data.
   bool complete() const;
   StatusLine* statusLine() const { return status_; }
+  /// Null without a helm.
+  DriveBar* driveBar() const { return bar_; }
   /// One round of what the timers do (tests and screenshots).
   void refreshNow();
 
@@ -42,7 +47,9 @@ class MainWindow : public QMainWindow {
     QDockWidget* dock;
   };
   void addPanel(const PanelEntry& entry);
+  void addDriveBar(bool keys_watched);
   void buildMenus();
+  void shareOut();
   void refreshPictures();
   void refreshNumbers();
 
@@ -50,6 +57,8 @@ class MainWindow : public QMainWindow {
   bool remember_;
   QVector<Shown> panels_;
   StatusLine* status_;
+  DriveBar* bar_ = nullptr;
+  DrivingKeys* keys_ = nullptr;
   QTimer* pictures_;
   QTimer* numbers_;
 };

@@ -23,7 +23,7 @@ constexpr double kLegendRoom = 52.0;  // px at the bottom
 MapCanvas::MapCanvas(const RobotDescription& robot, QWidget* parent)
     : QWidget(parent), robot_(robot), half_angle_(kUsualHalfAngle) {
   setMouseTracking(true);
-  setMinimumSize(240, 200);
+  setMinimumSize(200, 160);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   setAttribute(Qt::WA_OpaquePaintEvent);
 }

@@ -11,12 +11,16 @@ class QAction;
 
 namespace pilothouse::gui {
 
+class Helm;
+
 /// What a panel may use. All of it outlives the panels.
 struct PanelContext {
   ConsoleState& state;
   const RobotDescription& robot;
   /// Asks the floor nodelet for (method, calibrate mounting); null in tests.
   std::function<void(const std::string&, bool)> ask_floor;
+  Helm* helm = nullptr;           ///< null: a window that only watches
+  std::function<void()> ask_arm = nullptr;  ///< asks the stop gate to let the robot drive again
 };
 
 /// One dock of the console. Each panel is one class in one file of view/panels that registers

@@ -8,14 +8,15 @@
 
 namespace pilothouse::gui {
 
-enum class PanelPlace { kMain, kSide };
+/// The wide left, the row of pictures at the top right, or below it.
+enum class PanelPlace { kMain, kPicture, kGraph };
 
 struct PanelEntry {
   std::string id;  ///< of the saved layout; never changes
   QString title;
-  PanelPlace place;  ///< the wide left or the stack at the right
-  int order;         ///< within its place, and in the menu
-  bool shown;        ///< at the first start
+  PanelPlace place;
+  int order;   ///< within its place, and in the menu
+  bool shown;  ///< at the first start
   std::function<Panel*(const PanelContext&)> make;
   /// Why the panel cannot be had on this machine; empty: it can. May be null.
   std::function<QString()> hindrance;

@@ -11,7 +11,7 @@ namespace pilothouse::gui {
 
 PictureCanvas::PictureCanvas(QWidget* parent) : QWidget(parent) {
   setMouseTracking(true);
-  setMinimumSize(160, 100);
+  setMinimumSize(140, 70);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   setAttribute(Qt::WA_OpaquePaintEvent);
 }

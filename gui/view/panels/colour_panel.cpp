@@ -46,7 +46,8 @@ class ColourPanel : public Panel {
   PictureCanvas* canvas_;
 };
 
-const PanelRegistration kRegistration({"colour", QObject::tr("Colour"), PanelPlace::kSide, 20, true,
+const PanelRegistration kRegistration({"colour", QObject::tr("Colour"), PanelPlace::kPicture, 20,
+                                       true,
                                        [](const PanelContext& c) { return new ColourPanel(c); },
                                        nullptr});
 

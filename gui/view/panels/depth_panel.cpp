@@ -84,7 +84,8 @@ class DepthPanel : public Panel {
   std::shared_ptr<const DepthPicture> picture_;
 };
 
-const PanelRegistration kRegistration({"depth", QObject::tr("Depth"), PanelPlace::kSide, 10, true,
+const PanelRegistration kRegistration({"depth", QObject::tr("Depth"), PanelPlace::kPicture, 10,
+                                       true,
                                        [](const PanelContext& c) { return new DepthPanel(c); },
                                        nullptr});
 

@@ -27,10 +27,16 @@ class MapPanel : public Panel {
     addAction(tr("Fit the map"), {Qt::Key_F}, [this] { canvas_->fit(); });
     addAction(tr("Zoom in"), {Qt::Key_Plus, Qt::Key_Equal}, [this] { canvas_->zoomIn(); });
     addAction(tr("Zoom out"), {Qt::Key_Minus}, [this] { canvas_->zoomOut(); });
-    addAction(tr("Move the map left"), {Qt::Key_Left}, [this] { canvas_->pan({60, 0}); });
-    addAction(tr("Move the map right"), {Qt::Key_Right}, [this] { canvas_->pan({-60, 0}); });
-    addAction(tr("Move the map up"), {Qt::Key_Up}, [this] { canvas_->pan({0, 60}); });
-    addAction(tr("Move the map down"), {Qt::Key_Down}, [this] { canvas_->pan({0, -60}); });
+    addAction(tr("Move the map left"), {Qt::CTRL + Qt::Key_Left}, [this] {
+      canvas_->pan({60, 0});
+    });
+    addAction(tr("Move the map right"), {Qt::CTRL + Qt::Key_Right}, [this] {
+      canvas_->pan({-60, 0});
+    });
+    addAction(tr("Move the map up"), {Qt::CTRL + Qt::Key_Up}, [this] { canvas_->pan({0, 60}); });
+    addAction(tr("Move the map down"), {Qt::CTRL + Qt::Key_Down}, [this] {
+      canvas_->pan({0, -60});
+    });
     addAction(tr("Improved or original method"), {Qt::Key_M}, [this] { switch_->toggleMethod(); });
     addAction(tr("Calibrate the camera's mounting"), {Qt::Key_C},
               [this] { switch_->toggleCalibration(); });

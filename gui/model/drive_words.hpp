@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+
+#include "gui/model/drive_readings.hpp"
+#include "gui/model/feed_meter.hpp"
+#include "gui/model/helm.hpp"
+#include "gui/model/situation.hpp"
+
+namespace pilothouse::gui {
+
+/// All that the sentence about driving is made from.
+struct DriveSituation {
+  bool connected = false;  ///< to a master
+  FeedState limit_state, stop_state;
+  LimitReading limit;  ///< meaningful when limit_state.ever
+  StopReading stop;    ///< meaningful when stop_state.ever
+  HelmView helm;
+  ContactsReading contacts;
+  std::string arming_refused;  ///< why the last arming failed, while that is news
+  double now = 0.0;            ///< steady [s]
+};
+
+/// A sentence for the operator and what to do about it (may be empty).
+struct DriveWords {
+  Severity severity = Severity::kNote;
+  std::string headline, advice;
+};
+
+/// What moves or holds the robot, in words; always something.
+DriveWords driveWords(const DriveSituation& situation);
+
+/// "Slowed to 0.18 m/s: front ranger sees something 0.62 m ahead"
+std::string limitWords(const LimitReading& limit);
+/// "Stopped: camera silent for 0.4 s"
+std::string stopWords(const StopReading& stop);
+
+}  // namespace pilothouse::gui

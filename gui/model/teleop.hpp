@@ -1,0 +1,80 @@
+#pragma once
+
+#include <optional>
+
+#include "core/motion/base_parameters.hpp"
+#include "core/motion/planar.hpp"
+#include "gui/model/held_keys.hpp"
+
+namespace pilothouse::gui {
+
+/// What a key means to driving. Two keys may mean the same.
+enum class DriveKey : unsigned char {
+  kForward,
+  kBack,
+  kTurnLeft,
+  kTurnRight,
+  kSideLeft,
+  kSideRight,
+  kSlow,
+};
+
+/// A physical key and its meaning; codes of one meaning differ in their low bits.
+struct KeyMeaning {
+  DriveKey meaning;
+  unsigned variant;  ///< 0: the letter, 1: the arrow; the two Shift keys
+};
+
+/// Why driving by hand ended or does not begin.
+enum class HandsOff {
+  kNone,
+  kFocusLost,    ///< another window has the keyboard
+  kWindowHangs,  ///< the window does not answer: nobody sees what the robot does
+  kStopped,      ///< the stop is pressed, or the gate is latched
+  kTyping,       ///< keys go into a field
+};
+
+/// Turns held keys and the stick into commands: hold to drive, one zero on release, then silence so
+/// that others can drive. Nothing is sent before a person pressed something. A pure state machine;
+/// times are steady seconds.
+class Teleop {
+ public:
+  static constexpr double kPeriod = 0.04;      ///< between commands [s]: 25 Hz
+  static constexpr double kSlowFactor = 0.35;  ///< of Shift
+
+  explicit Teleop(const BaseParameters& base) : base_(base) {}
+
+  void press(KeyMeaning key, double now);
+  void release(KeyMeaning key, double now);
+  /// Deflection of the on-screen stick, each -1..1 of the cap; absent: let go.
+  void stick(std::optional<Twist2> deflection);
+  /// @param cap path speed [m/s], 0..max_speed; turning is capped in proportion.
+  void setCap(double cap);
+  /// Ends driving now; what is held must be pressed anew.
+  void interrupt(HandsOff reason);
+
+  /// The command that is due now, if any. @param hindrance why none may be sent; kNone: go.
+  std::optional<Twist2> step(double now, HandsOff hindrance);
+
+  bool driving() const { return driving_; }
+  const Twist2& command() const { return command_; }  ///< newest [m/s, rad/s]
+  HandsOff reason() const { return reason_; }         ///< of the end of the last drive
+  bool held(DriveKey meaning, double now) const;
+  /// Keys are down: step() wants to be called often.
+  bool busy(double now) const { return driving_ || keys_.busy(now) || stick_.has_value(); }
+
+ private:
+  Twist2 wish(double now) const;
+  bool wanted(double now) const;
+
+  BaseParameters base_;
+  HeldKeys keys_;
+  std::optional<Twist2> stick_;
+  double cap_ = 0.3;
+  bool driving_ = false;
+  double next_ = 0.0;
+  Twist2 command_;
+  HandsOff reason_ = HandsOff::kNone;
+};
+
+}  // namespace pilothouse::gui

@@ -1,0 +1,112 @@
+#include "gui/view/driving_keys.hpp"
+
+#include <QAbstractSpinBox>
+#include <QApplication>
+#include <QComboBox>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QTextEdit>
+#include <QWindow>
+#include <optional>
+
+#include "gui/model/helm.hpp"
+
+namespace pilothouse::gui {
+
+namespace {
+
+std::optional<KeyMeaning> meaningOf(int key) {
+  switch (key) {
+    case Qt::Key_W:
+      return KeyMeaning{DriveKey::kForward, 0};
+    case Qt::Key_Up:
+      return KeyMeaning{DriveKey::kForward, 1};
+    case Qt::Key_S:
+      return KeyMeaning{DriveKey::kBack, 0};
+    case Qt::Key_Down:
+      return KeyMeaning{DriveKey::kBack, 1};
+    case Qt::Key_A:
+      return KeyMeaning{DriveKey::kTurnLeft, 0};
+    case Qt::Key_Left:
+      return KeyMeaning{DriveKey::kTurnLeft, 1};
+    case Qt::Key_D:
+      return KeyMeaning{DriveKey::kTurnRight, 0};
+    case Qt::Key_Right:
+      return KeyMeaning{DriveKey::kTurnRight, 1};
+    case Qt::Key_Q:
+      return KeyMeaning{DriveKey::kSideLeft, 0};
+    case Qt::Key_E:
+      return KeyMeaning{DriveKey::kSideRight, 0};
+    case Qt::Key_Shift:
+      return KeyMeaning{DriveKey::kSlow, 0};
+    default:
+      return std::nullopt;
+  }
+}
+
+bool types(const QWidget* widget) {
+  return qobject_cast<const QAbstractSpinBox*>(widget) || qobject_cast<const QLineEdit*>(widget) ||
+         qobject_cast<const QTextEdit*>(widget) || qobject_cast<const QPlainTextEdit*>(widget) ||
+         qobject_cast<const QComboBox*>(widget);
+}
+
+bool keysDrive() {
+  return !QApplication::activeModalWidget() && !QApplication::activePopupWidget() &&
+         !types(QApplication::focusWidget());
+}
+
+}  // namespace
+
+DrivingKeys::DrivingKeys(Helm& helm, bool watched, QObject* parent)
+    : QObject(parent), helm_(helm), watched_(watched) {
+  qApp->installEventFilter(this);
+  connect(qApp, &QGuiApplication::focusWindowChanged, this, &DrivingKeys::review);
+  connect(qApp, &QGuiApplication::focusObjectChanged, this, &DrivingKeys::review);
+  connect(qApp, &QGuiApplication::applicationStateChanged, this, &DrivingKeys::review);
+  review();
+}
+
+void DrivingKeys::review() {
+  const QWindow* window = QGuiApplication::focusWindow();
+  helm_.setActive(window && !(window->windowStates() & Qt::WindowMinimized));
+  helm_.setKeysDrive(keysDrive());
+  helm_.windowLives();
+}
+
+bool DrivingKeys::key(QKeyEvent& event, bool pressed) {
+  if (event.key() == Qt::Key_Space || event.key() == Qt::Key_Escape) {
+    if (pressed) helm_.stop();
+    // Escape goes on to close what it usually closes.
+    return event.key() == Qt::Key_Space;
+  }
+  const auto meaning = meaningOf(event.key());
+  if (!meaning) return false;
+  if (!pressed) {
+    // A release is never wrong, wherever the focus is by now.
+    if (!watched_ && !event.isAutoRepeat()) helm_.letGo(*meaning);
+    return false;
+  }
+  if (!keysDrive() ||
+      (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)))
+    return false;
+  if (!watched_ && !event.isAutoRepeat()) helm_.press(*meaning);
+  return true;
+}
+
+// A key that is not kept comes twice, to the window and to the widget: both mean the same.
+bool DrivingKeys::eventFilter(QObject*, QEvent* event) {
+  switch (event->type()) {
+    case QEvent::KeyPress:
+      return key(*static_cast<QKeyEvent*>(event), true);
+    case QEvent::KeyRelease:
+      return key(*static_cast<QKeyEvent*>(event), false);
+    case QEvent::WindowDeactivate:
+      review();
+      return false;
+    default:
+      return false;
+  }
+}
+
+}  // namespace pilothouse::gui

@@ -1,0 +1,155 @@
+#include "gui/view/stop_button.hpp"
+
+#include <QPainter>
+#include <QPainterPath>
+#include <QPolygonF>
+#include <algorithm>
+#include <cmath>
+
+#include "gui/view/theme.hpp"
+
+namespace pilothouse::gui {
+
+namespace {
+
+constexpr double kRadius = 7.0;
+const QColor kRed(0xd6, 0x2f, 0x26), kRedHover(0xea, 0x41, 0x37), kRedDown(0xa8, 0x1f, 0x18);
+
+QFont bold(int pixels) {
+  QFont font = theme::headingFont();
+  font.setPixelSize(pixels);
+  font.setBold(true);
+  return font;
+}
+
+}  // namespace
+
+StopButton::StopButton(QWidget* parent) : QAbstractButton(parent) {
+  setFocusPolicy(Qt::NoFocus);
+  setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Expanding);
+  setToolTip(tr("Stops the robot at once, until it is armed again (Space, Escape)"));
+  setAccessibleName(tr("Stop"));
+}
+
+QSize StopButton::sizeHint() const {
+  return {128, 48};
+}
+
+void StopButton::show(bool latched) {
+  if (latched_ == latched) return;
+  latched_ = latched;
+  update();
+}
+
+void StopButton::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QRectF box = QRectF(rect()).adjusted(1, 1, -1, -1);
+  painter.setPen(latched_ ? QPen(QColor(0xff, 0xd9, 0xd5), 2) : QPen(kRedDown, 1));
+  painter.setBrush(isDown() ? kRedDown : underMouse() ? kRedHover : kRed);
+  painter.drawRoundedRect(box, kRadius, kRadius);
+  QPolygonF sign;
+  const QPointF middle(26, box.center().y());
+  for (int i = 0; i < 8; ++i) {
+    const double angle = (i + 0.5) * 3.14159265358979 / 4.0;
+    sign << middle + QPointF(13 * std::cos(angle), 13 * std::sin(angle));
+  }
+  painter.setPen(QPen(Qt::white, 2));
+  painter.setBrush(kRedDown);
+  painter.drawPolygon(sign);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(Qt::white);
+  painter.drawRect(QRectF(middle.x() - 4.5, middle.y() - 4.5, 9, 9));
+  painter.setPen(Qt::white);
+  const QRectF text(46, box.top() + 4, box.right() - 50, box.height() - 8);
+  painter.setFont(bold(latched_ ? 16 : 21));
+  painter.drawText(text.adjusted(0, 0, 0, -14), Qt::AlignCenter,
+                   latched_ ? tr("STOPPED") : tr("STOP"));
+  painter.setFont(theme::smallFont());
+  painter.drawText(text, Qt::AlignHCenter | Qt::AlignBottom, tr("Space"));
+}
+
+HoldButton::HoldButton(QWidget* parent) : QAbstractButton(parent) {
+  setFocusPolicy(Qt::NoFocus);
+  setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Expanding);
+  ticks_.setInterval(16);
+  connect(&ticks_, &QTimer::timeout, this, &HoldButton::progress);
+  release_.setInterval(kDebounce);
+  release_.setSingleShot(true);
+  connect(&release_, &QTimer::timeout, this, &HoldButton::end);
+  connect(this, &QAbstractButton::pressed, this, &HoldButton::begin);
+  connect(this, &QAbstractButton::released, this, &HoldButton::end);
+}
+
+QSize HoldButton::sizeHint() const {
+  return {104, 48};
+}
+
+void HoldButton::show(const QString& text, const QString& key, bool possible) {
+  if (possible != isEnabled()) {
+    end();
+    setEnabled(possible);
+  }
+  if (text == this->text() && key == key_) return;
+  setText(text);
+  key_ = key;
+  update();
+}
+
+void HoldButton::keyDown() {
+  release_.stop();
+  if (isEnabled() && !holding_) begin();
+}
+
+void HoldButton::keyUp() {
+  if (holding_) release_.start();
+}
+
+void HoldButton::begin() {
+  holding_ = true;
+  since_.start();
+  ticks_.start();
+  update();
+}
+
+void HoldButton::end() {
+  holding_ = false;
+  ticks_.stop();
+  update();
+}
+
+void HoldButton::progress() {
+  if (since_.elapsed() >= kHold) {
+    end();
+    emit confirmed();
+  }
+  update();
+}
+
+void HoldButton::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QRectF box = QRectF(rect()).adjusted(1, 1, -1, -1);
+  QPainterPath shape;
+  shape.addRoundedRect(box, kRadius, kRadius);
+  painter.fillPath(
+      shape, isEnabled() ? QColor(underMouse() ? 0x364252 : 0x2b3440) : QColor(0x1f, 0x24, 0x2b));
+  if (holding_) {
+    painter.save();
+    painter.setClipPath(shape);
+    const double share = std::min(1.0, static_cast<double>(since_.elapsed()) / kHold);
+    painter.fillRect(QRectF(box.left(), box.top(), box.width() * share, box.height()),
+                     QColor(0x2f, 0x8f, 0x63));
+    painter.restore();
+  }
+  painter.setPen(QPen(isEnabled() ? theme::kGood : theme::kLine, isEnabled() ? 1.6 : 1.0));
+  painter.drawPath(shape);
+  painter.setPen(isEnabled() ? theme::kText : QColor(0x8b, 0x96, 0xa4));
+  painter.setFont(theme::titleFont());
+  painter.drawText(box.adjusted(4, 5, -4, -18), Qt::AlignCenter, text());
+  painter.setFont(theme::smallFont());
+  painter.setPen(isEnabled() ? theme::kMuted : QColor(0x6f, 0x7a, 0x88));
+  painter.drawText(box.adjusted(4, 0, -4, -5), Qt::AlignHCenter | Qt::AlignBottom, key_);
+}
+
+}  // namespace pilothouse::gui
