@@ -46,7 +46,7 @@ void readType(std::string_view text, const std::string& package, DefinedField& f
   const bool own =
       builtInSize(base) == 0 && base != "string" && base.find('/') == std::string_view::npos;
   if (base == "Header")
-    field.type = "std_msgs/Header";
+    field.type = base;
   else
     field.type = own ? package + '/' + std::string(base) : std::string(base);
 }

@@ -12,7 +12,7 @@ namespace pilothouse {
 
 /// One line of a message's definition, constants and comments left out.
 struct DefinedField {
-  std::string type;  ///< built in, or package/Name
+  std::string type;  ///< built in, package/Name, or Header of whatever package
   std::string name;
   bool array = false;
   std::optional<std::uint64_t> times;  ///< of an array of fixed length

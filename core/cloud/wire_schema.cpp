@@ -32,7 +32,7 @@ class Assembly {
     if (known != done_.end()) return known->second;
     if (depth > kDeepest) throw std::runtime_error(name + " is made of itself, or too deep");
     const auto found = std::find_if(messages_.begin(), messages_.end(),
-                                    [&name](const auto& m) { return m.name == name; });
+                                    [&name](const auto& m) { return means(name, m.name); });
     if (found == messages_.end()) throw std::runtime_error(name + " is not defined");
     Type type;
     type.name = name;
@@ -42,6 +42,13 @@ class Assembly {
   }
 
  private:
+  /// A header is named without its package, whatever the package of who has it.
+  static bool means(const std::string& name, const std::string& defined) {
+    if (name != "Header") return name == defined;
+    const std::size_t slash = defined.find('/');
+    return slash != std::string::npos && defined.compare(slash + 1, std::string::npos, name) == 0;
+  }
+
   Field fieldOf(const DefinedField& defined, int depth) {
     Field field;
     field.name = defined.name;

@@ -14,7 +14,6 @@ constexpr double kOverLimit = 1.05;     // rounding and ramps are no fault
 constexpr double kNoSpeed = 1e-3;       // what a base cannot do must be no more than this
 constexpr double kOtherHeld = 1.0;      // a second publisher is there so long after it spoke [s]
 constexpr double kInCommand = 2.0;      // its commands still ramp down so long after the keys [s]
-constexpr double kSourceHeld = 0.1;     // report and command may come apart by so much [s]
 constexpr double kStopForgotten = 5.0;  // a pressed stop of a console that is gone, then [s]
 
 using Finding = StopFinding;
@@ -64,7 +63,7 @@ void takeMessages(Step& g) {
   if (in.limit.command_stamp == in.command.stamp) {
     s.source = in.limit.source;
     s.source_known = g.now();
-  } else if (!(g.now() - s.source_known <= kSourceHeld)) {
+  } else if (!(g.now() - s.source_known <= g.p.command_timeout)) {
     s.source = CommandSource::kUnknown;
   }
   if (s.source == CommandSource::kTask) s.task.take(in.command, in.now, kFuture);
@@ -141,6 +140,14 @@ Finding consoleFinding(Step& g) {
   return {};
 }
 
+/// Perception is known by the limiter's report: where that falls silent, both grow old together.
+Finding perceptionFinding(const Step& g) {
+  const double age = g.out.perception_age, limit = g.p.perception_timeout;
+  if (age <= limit) return {};
+  const bool was_fresh = age - g.out.limit_age <= limit && g.out.limit_age > 0.5 * limit;
+  return {was_fresh ? StopCause::kStaleLimit : StopCause::kStalePerception, age, limit, -1};
+}
+
 /// The first of the faults that stop whoever is in command. Those that have to be looked at every
 /// step come in by the arguments.
 Finding faultFinding(const Step& g, const Finding& stop, const Finding& console) {
@@ -157,7 +164,7 @@ Finding faultFinding(const Step& g, const Finding& stop, const Finding& console)
       !(other > kOtherHeld) ? Finding{StopCause::kSecondPublisher, 0.0, 0.0, -1} : Finding{},
       bad,
       stale(StopCause::kStaleLimit, g.out.limit_age, g.p.limit_timeout),
-      stale(StopCause::kStalePerception, g.out.perception_age, g.p.perception_timeout),
+      perceptionFinding(g),
       stale(StopCause::kStaleOdometry, g.out.odometry_age, g.p.odometry_timeout),
       console,
   };
@@ -167,15 +174,14 @@ Finding faultFinding(const Step& g, const Finding& stop, const Finding& console)
 }
 
 Finding obstacleToArming(const Step& g, const Finding& fault) {
-  if (fault) return fault;
   bool present = false;
   for (int i = 0; i < kMostConsoles; ++i) {
     const ConsoleLink& console = g.s.consoles[static_cast<std::size_t>(i)];
     if (!console.used() || console.left()) continue;
-    const double age = console.age(g.now());
-    present = present || age <= g.p.operator_timeout;
-    if (console.stopPressed(g.now(), kStopForgotten)) return {StopCause::kStopPressed, age, 0.0, i};
+    if (console.stopPressed(g.now(), kStopForgotten)) return {StopCause::kStopPressed, 0.0, 0.0, i};
+    present = present || console.age(g.now()) <= g.p.operator_timeout;
   }
+  if (fault) return fault;
   if (g.p.require_operator && !present) return {StopCause::kNoOperator, 0.0, 0.0, -1};
   // Held by whom nobody knows counts as held by a person.
   const bool wanted = !(g.in.limit.wanted == 0.0) && g.in.limit.source != CommandSource::kTask;

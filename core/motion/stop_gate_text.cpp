@@ -49,7 +49,8 @@ std::string describe(const StopFinding& finding, const std::string& console,
     case StopCause::kStaleOdometry:
       return old("odometry", finding);
     case StopCause::kStaleCommand:
-      return old("the command that was driven", finding);
+      return std::isfinite(finding.value) ? old("the command that was driven", finding)
+                                          : "whose command it is, nobody says any more";
     case StopCause::kOperatorGone:
       return old(("the sign of life of console " + quoted(console)).c_str(), finding);
     case StopCause::kSecondPublisher:
@@ -57,7 +58,7 @@ std::string describe(const StopFinding& finding, const std::string& console,
     case StopCause::kBadCommand:
       return badCommand(finding);
     case StopCause::kStaleLimit:
-      return old("the speed limiter's report", finding);
+      return old("what the speed limiter reports", finding);
     case StopCause::kClock:
       return clockText(finding);
     case StopCause::kCommandHeld:
