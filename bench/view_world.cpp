@@ -9,6 +9,7 @@
 #include <string>
 
 #include "sim/actor_path.hpp"
+#include "sim/random_world.hpp"
 #include "sim/world_camera.hpp"
 #include "sim/world_file.hpp"
 
@@ -16,8 +17,8 @@ namespace pilothouse::bench {
 namespace {
 
 constexpr const char* kHelp =
-    "usage: view_world [options] WORLD.sdf OUT.png\n"
-    "Draws a world's file as one PNG: the robot's colour and "
+    "usage: view_world [options] WORLD.sdf|SEED OUT.png\n"
+    "Draws a world's file, or the random world of a seed, as one PNG: the robot's colour and "
     "depth\n"
     "picture, and the world from above with start (red), routes (blue) and people's ways "
     "(orange).\n"
@@ -85,7 +86,9 @@ Options readOptions(int argc, char** argv) {
 }
 
 sim::World readWorld(const std::string& name) {
-  if (false && name.find_first_not_of("0123456789") == std::string::npos) return {};
+  if (name.find_first_not_of("0123456789") == std::string::npos) {
+    return sim::randomWorld(std::strtoull(name.c_str(), nullptr, 10)).world;
+  }
   const auto loaded = sim::loadWorld(name);
   if (!loaded) refuse(loaded.reason());
   for (const std::string& warning : loaded->warnings) std::cerr << name << ": " << warning << "\n";

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <mutex>
 
 #include "sim/random.hpp"
 
@@ -149,25 +151,32 @@ constexpr Recipe kRecipes[] = {{"asphalt", asphalt, 1.0},
                                {"tiles", tiles, 1.2},
                                {"wood", wood, 1.2}};
 
-}  // namespace
-
-std::optional<ProceduralTexture> proceduralTexture(const std::string& name) {
-  for (const Recipe& recipe : kRecipes) {
-    if (name != recipe.name) continue;
-    ProceduralTexture texture{{kSide, kSide, {}}, recipe.metres};
-    texture.picture.rgb.reserve(std::size_t{3} * kSide * kSide);
-    for (int y = 0; y < kSide; ++y) {
-      for (int x = 0; x < kSide; ++x) {
-        const Vector3f colour = recipe.colour(x, y);
-        for (int c = 0; c < 3; ++c) {
-          texture.picture.rgb.push_back(
-              static_cast<std::uint8_t>(255.0F * std::clamp(colour[c], 0.0F, 1.0F)));
-        }
+ProceduralTexture make(const Recipe& recipe) {
+  ProceduralTexture texture{{kSide, kSide, {}}, recipe.metres};
+  texture.picture.rgb.reserve(std::size_t{3} * kSide * kSide);
+  for (int y = 0; y < kSide; ++y) {
+    for (int x = 0; x < kSide; ++x) {
+      const Vector3f colour = recipe.colour(x, y);
+      for (int c = 0; c < 3; ++c) {
+        texture.picture.rgb.push_back(
+            static_cast<std::uint8_t>(255.0F * std::clamp(colour[c], 0.0F, 1.0F)));
       }
     }
-    return texture;
   }
-  return std::nullopt;
+  return texture;
+}
+
+}  // namespace
+
+const ProceduralTexture* proceduralTexture(const std::string& name) {
+  static std::mutex mutex;
+  static std::map<std::string, ProceduralTexture> made;
+  const std::lock_guard<std::mutex> lock(mutex);
+  const auto known = made.find(name);
+  if (known != made.end()) return &known->second;
+  for (const Recipe& recipe : kRecipes)
+    if (name == recipe.name) return &made.emplace(name, make(recipe)).first->second;
+  return nullptr;
 }
 
 std::vector<std::string> proceduralTextureNames() {

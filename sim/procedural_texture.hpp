@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,8 +12,9 @@ struct ProceduralTexture {
   Texture picture;
   double metres;  ///< that the picture covers
 };
-/// By name, as in <pilothouse:texture>wood</pilothouse:texture>; none: no such name.
-std::optional<ProceduralTexture> proceduralTexture(const std::string& name);
+/// By name, as in <pilothouse:texture>wood</pilothouse:texture>; nullptr: no such name. Computed
+/// once a process.
+const ProceduralTexture* proceduralTexture(const std::string& name);
 std::vector<std::string> proceduralTextureNames();
 
 }  // namespace pilothouse::sim

@@ -14,7 +14,8 @@ constexpr float kGlassShare = 0.22F;
 
 float brightness(const Eigen::Vector3f& normal) {
   static const Eigen::Vector3f lamp = Eigen::Vector3f(0.35F, -0.55F, 0.75F).normalized();
-  return 0.60F + 0.12F * normal.z() + 0.30F * std::max(0.0F, normal.dot(lamp)) + 0.06F * normal.x();
+  return 0.72F + 0.08F * normal.z() + 0.06F * normal.x() +
+         0.22F * std::max(0.0F, normal.dot(lamp));
 }
 
 std::vector<Eigen::Vector3f> cornerNormals(const Mesh& mesh) {

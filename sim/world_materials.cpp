@@ -93,13 +93,13 @@ Checked<WorldMaterials::Read> WorldMaterials::read(const sdf::Visual& visual) {
 Checked<WorldMaterials::Read> WorldMaterials::readTexture(const std::string& name, Read read) {
   auto known = known_.find(name);
   if (known == known_.end()) {
-    auto texture = proceduralTexture(name);
-    if (!texture)
+    const ProceduralTexture* texture = proceduralTexture(name);
+    if (texture == nullptr)
       return Checked<Read>::refused("texture " + pilothouse::quoted(name) + " is not known");
     Read added;
     added.material.texture = static_cast<int>(textures_.size());
     added.texture_metres = texture->metres;
-    textures_.push_back(std::move(texture->picture));
+    textures_.push_back(texture->picture);
     known = known_.emplace(name, added).first;
   }
   read.material.texture = known->second.material.texture;
