@@ -7,19 +7,25 @@
 
 namespace pilothouse {
 
-/// Publishes on tf_static where the robot's file (namespace robot) says that the camera sits:
-/// base_link -> camera_link (its body) -> its optical frame.
+/// Publishes on tf_static where the robot's file (namespace robot) says that the camera and the
+/// rangers sit: base_link -> camera_link (its body) -> its optical frame; base_link -> range_NAME.
 class RobotFrames : public nodelet::Nodelet {
   void onInit() override {
     StrictParameters own(getPrivateNodeHandle());
     own.read("base_frame", base_frame_);
     own.finish();
     StrictParameters reader(ros::NodeHandle(getNodeHandle(), "robot"));
-    const CameraOnRobot camera = readRobot(reader).camera;
+    const RobotDescription robot = readRobot(reader);
+    const CameraOnRobot& camera = robot.camera;
     const std::string body = bodyFrame(camera.frame);
+    std::vector<geometry_msgs::TransformStamped> transforms = {
+        stamped(base_frame_, body, bodyPose(camera)),
+        stamped(body, camera.frame, opticalRotation())};
+    for (const auto& ranger : robot.rangers) {
+      transforms.push_back(stamped(base_frame_, "range_" + ranger.name, rangerPose(ranger)));
+    }
     broadcaster_ = std::make_unique<tf2_ros::StaticTransformBroadcaster>();
-    broadcaster_->sendTransform({stamped(base_frame_, body, bodyPose(camera)),
-                                 stamped(body, camera.frame, opticalRotation())});
+    broadcaster_->sendTransform(transforms);
   }
 
   static geometry_msgs::TransformStamped stamped(const std::string& parent,
