@@ -52,34 +52,51 @@ SweptPath::SweptPath(const Footprint& footprint, const Twist2& twist, double mar
   if (moves_) unit_ = (1.0 / speed) * twist;
   // What is beside cannot be hit by turning in place: the margin is for going past things.
   margin_ = std::max(std::min(kAtLeastBeside, margin), margin * std::min(1.0, unit_.linear()));
+  reach_ = footprint.farthestFrom(Vector2d::Zero());
   turns_ = std::abs(unit_.w) > kStraight;
   if (turns_) {
-    centre_ = Vector2d(-unit_.vy, unit_.vx) / unit_.w;
-    farthest_ = footprint.farthestFrom(centre_);
-    nearest_ = std::max(0.0, footprint.distanceTo(centre_));
-    const auto& edges = footprint.edges();
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-      const double turn = edges[i].normal.dot(edges[(i + 1) % edges.size()].normal);
-      mitre_ = std::max(mitre_, std::sqrt(2.0 / std::max(0.02, 1.0 + turn)));
-    }
-    for (const auto& edge : footprint.edges()) {
-      const Vector2d from = edge.from - centre_, along = (edge.to - edge.from).normalized();
-      const Vector2d foot =
-          from - std::clamp(from.dot(along), -(edge.to - edge.from).norm(), 0.0) * along;
-      turning_edges_.push_back({edge.offset - edge.normal.dot(centre_), edge.normal, foot.norm(),
-                                std::max(from.norm(), (edge.to - centre_).norm())});
-    }
-    return;
+    layOutTurn();
+  } else {
+    layOutLine();
   }
+}
+
+void SweptPath::layOutLine() {
   if (moves_) direction_ = Vector2d(unit_.vx, unit_.vy).normalized();
   left_ = front_ = -kInfinite;
   right_ = rear_ = kInfinite;
-  for (const auto& corner : footprint.corners()) {
+  for (const auto& corner : footprint_.corners()) {
     left_ = std::max(left_, cross(direction_, corner));
     right_ = std::min(right_, cross(direction_, corner));
     front_ = std::max(front_, corner.dot(direction_));
     rear_ = std::min(rear_, corner.dot(direction_));
   }
+}
+
+void SweptPath::layOutTurn() {
+  centre_ = Vector2d(-unit_.vy, unit_.vx) / unit_.w;
+  farthest_ = footprint_.farthestFrom(centre_);
+  nearest_ = std::max(0.0, footprint_.distanceTo(centre_));
+  const double sense = unit_.w > 0.0 ? 1.0 : -1.0;
+  double first = -kInfinite, last = kInfinite;  // corners round the centre, from the base's origin
+  const auto& edges = footprint_.edges();
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const auto& edge = edges[i];
+    const double turn = edge.normal.dot(edges[(i + 1) % edges.size()].normal);
+    mitre_ = std::max(mitre_, std::sqrt(2.0 / std::max(0.02, 1.0 + turn)));
+    const Vector2d from = edge.from - centre_, to = edge.to - centre_;
+    const Vector2d along = (to - from).normalized();
+    const Vector2d foot = from - std::clamp(from.dot(along), -(to - from).norm(), 0.0) * along;
+    turning_edges_.push_back({edge.offset - edge.normal.dot(centre_), edge.normal, foot.norm(),
+                              std::max(from.norm(), to.norm())});
+    const double angle = std::atan2(sense * cross(-centre_, from), -centre_.dot(from));
+    if (angle > first) {
+      first = angle;
+      lead_ = from;
+    }
+    last = std::min(last, angle);
+  }
+  extent_ = first - last;
 }
 
 SweptPath::Contact SweptPath::meet(const Vector2d& point, double radius) const {
@@ -135,11 +152,19 @@ SweptPath::Contact SweptPath::meetTurning(const Vector2d& point, double radius) 
       if (motion.dot(point) > 0.0) return contact(0.0, speed);
     }
   }
-  const double angle = angleToTouch(point, reach);
+  const double angle = nearest_ > 0.0 ? angleToLead(point) : angleToTouch(point, reach);
   if (angle == kNever) return {};
   Contact result = contact(std::max(0.0, angle) * from_centre, speed);
   if (result.relevance == Relevance::kInTheWay) result.relevance = Relevance::kPotential;
   return result;
+}
+
+double SweptPath::angleToLead(const Vector2d& point) const {
+  const Vector2d arm = point - centre_;
+  const double sense = unit_.w > 0.0 ? 1.0 : -1.0;
+  const double ahead = std::atan2(sense * cross(lead_, arm), lead_.dot(arm));
+  if (ahead >= 0.0) return ahead;
+  return ahead >= -extent_ ? 0.0 : ahead + kTurn;
 }
 
 // The point goes round the centre, seen from the robot, against the robot's turn. It touches where
@@ -157,7 +182,8 @@ double SweptPath::angleToTouch(const Vector2d& point, double inflation) const {
     }
     return true;
   };
-  if (insideFrom(0, count, arm)) return kInside;
+  const double out = reach_ + mitre_ * inflation;
+  if (point.squaredNorm() <= out * out && insideFrom(0, count, arm)) return kInside;
   double first = kInfinite;
   for (std::size_t i = 0; i < count; ++i) {
     const TurningEdge& edge = turning_edges_[i];

@@ -59,12 +59,17 @@ class SweptPath {
     Eigen::Vector2d normal;
     double least, most;  ///< distance of the edge from the centre [m]
   };
+  void layOutLine();
+  void layOutTurn();
   Contact meetStraight(const Eigen::Vector2d& point, double radius) const;
   Contact meetTurning(const Eigen::Vector2d& point, double radius) const;
   /// In the way, unless it is beyond the look-ahead.
   Contact contact(double distance, double speed) const;
   /// Turn [rad] until the point is touched by the outline grown by `inflation`; kNever, kInside.
   double angleToTouch(const Eigen::Vector2d& point, double inflation) const;
+  /// Turn [rad] until the foremost corner comes beside the point; 0: the robot is beside it. Only
+  /// where the centre of rotation lies outside the footprint.
+  double angleToLead(const Eigen::Vector2d& point) const;
 
   const Footprint& footprint_;
   Twist2 unit_;  ///< the twist with a path speed of 1
@@ -77,7 +82,10 @@ class SweptPath {
   Eigen::Vector2d centre_{0.0, 0.0};       ///< turning: of rotation
   double nearest_ = 0.0, farthest_ = 0.0;  ///< turning: of the footprint from the centre [m]
   std::vector<TurningEdge> turning_edges_;
-  double mitre_ = 1.0;  ///< how much farther than by the inflation a corner grows
+  Eigen::Vector2d lead_{0.0, 0.0};  ///< from the centre to the corner that leads [m]
+  double extent_ = 0.0;             ///< angle from there back to the last corner [rad]
+  double reach_ = 0.0;              ///< farthest corner from the base's origin [m]
+  double mitre_ = 1.0;              ///< how much farther than by the inflation a corner grows
 };
 
 }  // namespace pilothouse

@@ -1,0 +1,287 @@
+// How long the way is judged, the stop gate steps, and where the simulator's time goes. See --help.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <functional>
+#include <iostream>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "bench/interleaved_timing.hpp"
+#include "bench/json_line.hpp"
+#include "core/motion/local_memory.hpp"
+#include "core/motion/speed_limiter.hpp"
+#include "core/motion/stop_gate.hpp"
+#include "doors/package_files.hpp"
+#include "nodelets/sim_robot.hpp"
+#include "sim/simulation.hpp"
+#include "sim/world_file.hpp"
+
+namespace pilothouse::bench {
+namespace {
+
+constexpr double kLimiterMs = 0.1;               // corridor and limit of 5,000 objects
+constexpr double kGateMs = 0.01;                 // a step of the stop gate
+constexpr double kSimulationMs = 1000.0 / 30.0;  // a frame of 640 x 480 with its share of colour
+constexpr int kObjects = 5000;
+
+constexpr const char* kHelp =
+    "usage: bench_motion [--rounds N] [--out FILE]\n"
+    "Times the way's judgement with 5,000 objects, straight, on arcs and turning, for a "
+    "rectangular\n"
+    "and a round robot, beside stepping the footprint along the way; a step of the stop gate; the\n"
+    "memory's frame; and the simulator's frame by its parts (furnished room, 640x480 depth at 30 "
+    "Hz,\n"
+    "colour at 15 Hz).\n"
+    "  --rounds N    5..100000 (default 300)\n"
+    "  --out FILE    write a JSON object a line to FILE\n"
+    "Limits: 0.1 ms for the way, 0.01 ms for the gate, real time for the simulator. Ends with 1\n"
+    "where one is missed, 2 on a wrong call.\n";
+
+struct Options {
+  int rounds = 300;
+  std::string out;
+};
+
+[[noreturn]] void refuse(const std::string& message) {
+  std::cerr << "bench_motion: " << message << "\n";
+  std::exit(2);
+}
+
+Options readOptions(int argc, char** argv) {
+  Options options;
+  for (int i = 1; i < argc; ++i) {
+    const std::string option = argv[i];
+    if (option == "--help" || option == "-h") {
+      std::cout << kHelp;
+      std::exit(0);
+    }
+    if (option != "--rounds" && option != "--out") refuse("unknown option '" + option + "'");
+    if (++i >= argc) refuse(option + " needs a value");
+    if (option == "--out") {
+      options.out = argv[i];
+      continue;
+    }
+    char* end = nullptr;
+    const long rounds = std::strtol(argv[i], &end, 10);
+    if (*end != '\0' || rounds < 5 || rounds > 100000) {
+      refuse(std::string("--rounds is '") + argv[i] + "', expected 5..100000");
+    }
+    options.rounds = static_cast<int>(rounds);
+  }
+  return options;
+}
+
+RobotDescription robot(const std::string& name) {
+  const auto description = readRobotFile(packageFile("config/robots/" + name + ".yaml"));
+  if (!description) throw std::runtime_error(description.reason());
+  return *description;
+}
+
+/// A robot among objects, as many as are never seen, and what it wants.
+struct Crowd {
+  SpeedLimiter limiter;
+  Footprint footprint;
+  Surroundings surroundings;
+  Twist2 twist;
+
+  Crowd(const RobotDescription& robot, const Twist2& wanted)
+      : limiter(robot.avoidance, robot.drive, robot.outline()),
+        footprint(robot.outline()),
+        twist(wanted) {
+    sim::Random random(1);
+    surroundings.sources.push_back({"camera", 0.0});
+    while (surroundings.objects.size() < kObjects) {
+      Obstacle object;
+      object.position = {static_cast<float>(random.uniform(-1.0, 4.0)),
+                         static_cast<float>(random.uniform(-2.5, 2.5))};
+      if (footprint.distanceTo(object.position.cast<double>()) < 0.1) continue;
+      surroundings.objects.push_back(object);
+    }
+  }
+
+  double judge() { return limiter.limitAlong(twist, surroundings, nullptr).obstacle_distance; }
+
+  /// The way in steps of a cell, each with every object: what trajectory simulators do.
+  double stepAlong() {
+    const SweptPath path(footprint, twist, 0.0, 3.0);
+    for (double way = 0.0; way <= 3.0; way += 0.05) {
+      const Pose2 pose = path.poseAfter(way);
+      for (const auto& object : surroundings.objects) {
+        if (footprint.distanceTo(pose.toBase(object.position.cast<double>())) < 0.025) return way;
+      }
+    }
+    return std::numeric_limits<double>::infinity();
+  }
+};
+
+volatile double sink = 0.0;  // what is computed must not be left out
+
+void addWays(std::vector<TimedCase>& cases) {
+  const struct {
+    const char* name;
+    Twist2 twist;
+  } ways[] = {{"straight", {0.5, 0.0, 0.0}},
+              {"wide arc", {0.5, 0.0, 0.5}},
+              {"tight arc", {0.4, 0.0, -1.0}},
+              {"turning in place", {0.0, 0.0, 1.0}}};
+  for (const std::string name : {"platform", "docker"}) {
+    for (const auto& way : ways) {
+      const auto crowd = std::make_shared<Crowd>(robot(name), way.twist);
+      cases.push_back(
+          {name + ", " + way.name, [crowd] { sink = crowd->judge(); }, {}, false, kLimiterMs});
+    }
+  }
+  const auto crowd = std::make_shared<Crowd>(robot("platform"), ways[1].twist);
+  crowd->surroundings.objects.erase(
+      std::remove_if(crowd->surroundings.objects.begin(), crowd->surroundings.objects.end(),
+                     [&](const Obstacle& object) {
+                       const SweptPath path(crowd->footprint, crowd->twist, 0.0, 3.0);
+                       return path.meet(object.position.cast<double>(), 0.1).relevance ==
+                              Relevance::kInTheWay;
+                     }),
+      crowd->surroundings.objects.end());  // free to its end, the longest for stepping
+  cases.push_back({"wide arc, free", [crowd] { sink = crowd->judge(); }, {}, false, kLimiterMs});
+  cases.push_back({"wide arc, free, stepped (rival)",
+                   [crowd] { sink = crowd->stepAlong(); },
+                   {},
+                   true,
+                   std::nullopt});
+}
+
+void addGate(std::vector<TimedCase>& cases) {
+  struct Gate {
+    GateParameters parameters;
+    GateState state{1};
+    GateInputs inputs;
+  };
+  const auto gate = std::make_shared<Gate>();
+  cases.push_back({"stop gate, a step",
+                   [gate] {
+                     gate->inputs.now.steady += 0.02;
+                     gate->inputs.now.ros += 0.02;
+                     for (int i = 0; i < 100; ++i) {
+                       sink = step(gate->parameters, gate->state, gate->inputs).command.vx;
+                     }
+                   },
+                   {},
+                   false,
+                   100.0 * kGateMs});
+}
+
+void addMemory(std::vector<TimedCase>& cases) {
+  struct Memory {
+    RobotDescription description = robot("platform");
+    LocalMemory memory{description.avoidance, description.outline()};
+    FloorCells cells;
+    std::vector<Obstacle> objects;
+    double now = 0.0;
+  };
+  const auto m = std::make_shared<Memory>();
+  auto& g = m->cells.geometry;
+  g.x_min = 0.2F;
+  g.y_min = -2.5F;
+  g.size_x = 76;
+  g.size_y = 100;
+  m->cells.classes.assign(g.cells(), CellClass::kFloor);
+  m->cells.heights.assign(g.cells(), 0.2F);
+  for (std::size_t i = 0; i < g.cells(); i += 7) m->cells.classes[i] = CellClass::kObstacle;
+  cases.push_back({"memory, a frame and its objects",
+                   [m] {
+                     m->now += 0.033;
+                     const FloorFrame frame{m->now, m->cells.geometry, m->cells.classes.data(),
+                                            m->cells.heights.data()};
+                     const Pose2 pose{0.5 * m->now, 0.0, 0.1 * m->now};
+                     m->memory.add(frame, pose);
+                     m->objects.clear();
+                     m->memory.collect(pose, m->now, m->objects);
+                     sink = static_cast<double>(m->objects.size());
+                   },
+                   {},
+                   false,
+                   std::nullopt});
+}
+
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+
+/// Prints and writes one line; @return whether the limit is kept.
+bool tell(std::ostream& out, const std::string& name, double median, double p95, double limit) {
+  JsonLine line;
+  line.text("bench", "motion").text("case", name).number("median_ms", median, 5);
+  line.number("p95_ms", p95, 5);
+  std::printf("%-36s %10.5f %10.5f", name.c_str(), median, p95);
+  const bool kept = median <= limit;
+  if (limit < kNoLimit) {
+    line.number("ratio", median / limit, 3).text("of", "limit").number("limit_ms", limit, 4);
+    std::printf(" %8.3f%s", median / limit, kept ? "" : "  MISSED");
+  }
+  std::printf("\n");
+  out << line.str() << '\n';
+  return kept;
+}
+
+bool timeSimulator(std::ostream& out, int seconds) {
+  const auto world = sim::loadWorld(packageFile("maps/furnished_room.sdf"));
+  if (!world) throw std::runtime_error(world.reason());
+  sim::Simulation simulation(world->world, simRobotOf(robot("platform")));
+  const double frames = 30.0 * seconds;
+  const auto began = std::chrono::steady_clock::now();
+  while (simulation.time() < seconds) {
+    simulation.command({0.0, 0.0, 0.3});
+    simulation.step();
+  }
+  const std::chrono::duration<double, std::milli> all = std::chrono::steady_clock::now() - began;
+  const auto& times = simulation.times();
+  double known = 0.0;
+  for (std::size_t part = 0; part < sim::PartTimes::kParts; ++part) {
+    const double ms = 1000.0 * times.seconds(static_cast<sim::PartTimes::Part>(part)) / frames;
+    known += ms;
+    tell(out, std::string("simulator, ") + sim::PartTimes::kNames[part], ms, ms, kNoLimit);
+  }
+  tell(out, "simulator, rest", all.count() / frames - known, all.count() / frames - known,
+       kNoLimit);
+  return tell(out, "simulator, a frame", all.count() / frames, all.count() / frames, kSimulationMs);
+}
+
+int run(const Options& options) {
+  std::ofstream out;
+  if (!options.out.empty()) {
+    out.open(options.out);
+    if (!out) refuse("cannot write " + options.out);
+  }
+  pinToOneProcessor();
+  std::vector<TimedCase> cases;
+  addWays(cases);
+  addGate(cases);
+  addMemory(cases);
+  measure(cases, options.rounds, std::max(5, options.rounds / 20));
+  std::printf("%-36s %10s %10s %8s\n", "case", "median ms", "p95 ms", "of limit");
+  bool kept = true;
+  for (const auto& c : cases) {
+    const bool gate = c.name == "stop gate, a step";  // timed a hundred at once
+    const double share = gate ? 0.01 : 1.0;
+    const double limit = c.limit ? *c.limit * share : kNoLimit;
+    kept = tell(out, c.name, share * quantile(c.times_ms, 0.5), share * quantile(c.times_ms, 0.95),
+                limit) &&
+           kept;
+  }
+  kept = timeSimulator(out, std::max(2, options.rounds / 30)) && kept;
+  return kept ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace pilothouse::bench
+
+int main(int argc, char** argv) {
+  using namespace pilothouse::bench;
+  const Options options = readOptions(argc, argv);
+  try {
+    return run(options);
+  } catch (const std::exception& fault) {
+    refuse(fault.what());
+  }
+}
