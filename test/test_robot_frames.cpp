@@ -34,6 +34,20 @@ TEST_P(RobotFrames, PutsTheCameraWhereTheFileSays) {
   EXPECT_TRUE(buffer.canTransform("base_link", name + "_link", ros::Time(0)));
 }
 
+TEST(RangerFrames, PutsTheRangersWhereTheFileSays) {
+  nodelet::Loader loader(false);
+  ASSERT_TRUE(loader.load("/platform/rangers", "pilothouse/RobotFrames", ros::M_string(),
+                          nodelet::V_string()));
+  tf2_ros::Buffer buffer;
+  tf2_ros::TransformListener listener(buffer);
+  ASSERT_TRUE(
+      spinUntil([&] { return buffer.canTransform("base_link", "range_rear", ros::Time(0)); }));
+  const Eigen::Isometry3d T_base_rear =
+      tf2::transformToEigen(buffer.lookupTransform("base_link", "range_rear", ros::Time(0)));
+  EXPECT_TRUE(T_base_rear.translation().isApprox(Eigen::Vector3d(-0.25, 0.0, 0.2)));
+  EXPECT_NEAR(T_base_rear.linear()(0, 0), -1.0, 1e-9) << "it looks back";
+}
+
 INSTANTIATE_TEST_SUITE_P(EachRobot, RobotFrames, testing::Values("platform", "docker", "striker"),
                          [](const auto& info) { return info.param; });
 

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <functional>
 
+#include "sim/random_world.hpp"
 #include "test/sim_worlds.hpp"
 
 namespace pilothouse::sim {
@@ -193,6 +194,34 @@ TEST(Simulation, FailsItsSensorsOnDemand) {
     const double sum = pose.x + pose.y + pose.heading + twist.vx + twist.vy + twist.w;
     ASSERT_FALSE(std::abs(sum) < 1e6);
   }
+}
+
+// Driven at random by somebody blind, it bumps into much and goes through nothing.
+TEST(Simulation, NeverGoesThroughWhatStandsInRandomWorlds) {
+  SimulationParameters parameters = small(1);
+  parameters.sensors.depth_rate = parameters.sensors.colour_rate = 0.0;
+  std::size_t contacts = 0;
+  for (std::uint64_t seed = 1; seed <= 9; ++seed) {
+    RandomWorldParameters kind;
+    kind.most_people = 0;  // they would walk into the robot
+    Simulation simulation(randomWorld(seed, kind).world, testRobot(static_cast<BaseKind>(seed % 3)),
+                          parameters);
+    Random random(seed);
+    Twist2 twist;
+    for (int i = 0; i < 3000; ++i) {
+      if (i % 150 == 0) {
+        twist = {random.uniform(-0.3, 0.6), random.uniform(-0.3, 0.3), random.uniform(-1.0, 1.0)};
+      }
+      simulation.command(twist);
+      simulation.step();
+      const FreeWay nearest = simulation.freeDistance(0.05);
+      ASSERT_GT(nearest.distance, -1e-6)
+          << "seed " << seed << ": " << simulation.nameOf(nearest.model);
+      ASSERT_FALSE(simulation.base().dropped()) << "seed " << seed;
+    }
+    contacts += simulation.base().contacts().size();
+  }
+  EXPECT_GT(contacts, 9U);
 }
 
 }  // namespace
