@@ -9,6 +9,8 @@ namespace pilothouse::gui {
 /// Colours of the cell classes on the dark map: after Okabe and Ito (2008), spread in lightness
 /// too, so that they stay apart for every kind of colour blindness. Unknown is transparent.
 QRgb classColour(CellClass cell_class);
+/// Of an obstacle's cell below objects that carry a colour of their own.
+constexpr QRgb kCalmObstacle = 0xff59636f;
 /// In words, for legends and readouts.
 const char* className(CellClass cell_class);
 

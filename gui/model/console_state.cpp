@@ -1,5 +1,7 @@
 #include "gui/model/console_state.hpp"
 
+#include "gui/model/drive_words.hpp"
+
 namespace pilothouse::gui {
 
 std::string shownTopic(const ConsoleState& state, const std::string& relative) {
@@ -9,6 +11,28 @@ std::string shownTopic(const ConsoleState& state, const std::string& relative) {
   // The root namespace is the usual one: its slash says nothing to the operator.
   return name == "/" + relative ? relative : name;
 }
+
+namespace {
+
+constexpr double kRefusalShown = 5.0;  // s
+constexpr double kReadingShown = 2.0;  // s
+
+void addDriving(const ConsoleState& state, double now, Situation& situation) {
+  for (const auto& [topic, refusal] : state.refusals.get()) {
+    if (now - refusal.at < kRefusalShown) {
+      situation.complaints.push_back({topic + " rejected", refusal.reason, true});
+    }
+  }
+  const ContactsReading contacts = state.contacts.get();
+  if (contacts.count > 0 && now - contacts.at < kReadingShown) {
+    situation.complaints.push_back(
+        {"contacts", std::to_string(contacts.count) + " since the start", false});
+  }
+  const RouteReading route = state.route.get();
+  if (now - route.at < kReadingShown) situation.route = routeWords(route);
+}
+
+}  // namespace
 
 Situation situationOf(const ConsoleState& state, const std::string& robot, double now) {
   Situation situation;
@@ -55,7 +79,19 @@ Situation situationOf(const ConsoleState& state, const std::string& robot, doubl
       anyOf({"camera/rgb/image_rect_color", "camera/rgb/image_rect_color/compressed",
              "camera/depth/points"}),
       false, state.colour.state(now));
-  add("objects", "objects/camera", anyOf({"objects/camera"}), false, state.objects.state(now));
+  add("objects", "objects/camera", anyOf({"objects/filtered", "objects/merged", "objects/camera"}),
+      false, state.objects.state(now));
+  // Only where something can drive: a camera alone, or a bag, is complete without.
+  if (anyOf({"odom", "speed_limit", "stop_state"}) || state.gate.state(now).ever) {
+    add("stop gate", "stop_state", anyOf({"stop_state"}), true, state.gate.state(now));
+    add("speed limiter", "speed_limit", anyOf({"speed_limit"}), true, state.limit.state(now));
+    if (!anyOf({"odom"})) {
+      situation.complaints.push_back(
+          {"base", "nobody publishes " + shownTopic(state, "odom") + ": is it or its simulator on?",
+           false});
+    }
+  }
+  addDriving(state, now, situation);
   return situation;
 }
 

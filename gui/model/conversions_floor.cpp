@@ -68,11 +68,15 @@ Converted<FloorPicture> floorFromMessage(const FloorGrid& grid) {
   picture->frame = grid.header.frame_id;
   picture->method = grid.method.substr(0, 32);
   picture->image = QImage(geometry.size_y, geometry.size_x, QImage::Format_ARGB32);
+  picture->calm = picture->image;
   for (int row = 0; row < geometry.size_x; ++row) {
     auto* line = reinterpret_cast<QRgb*>(picture->image.scanLine(row));
+    auto* calm = reinterpret_cast<QRgb*>(picture->calm.scanLine(row));
     for (int column = 0; column < geometry.size_y; ++column) {
-      line[column] = classColour(picture->classes[geometry.index(geometry.size_x - 1 - row,
-                                                                 geometry.size_y - 1 - column)]);
+      const CellClass cell =
+          picture->classes[geometry.index(geometry.size_x - 1 - row, geometry.size_y - 1 - column)];
+      line[column] = classColour(cell);
+      calm[column] = cell == CellClass::kObstacle ? kCalmObstacle : classColour(cell);
     }
   }
   return Result::of(std::move(picture));
@@ -96,8 +100,13 @@ Converted<ObjectsPicture> objectsFromMessage(const ObjectList& list) {
     if (object.kind < Object::THRESHOLD || object.kind > Object::DROP_OFF) {
       return Result::refused("object of kind " + std::to_string(object.kind) + ", expected 2 to 4");
     }
-    picture->objects.push_back(
-        {p.x, p.y, object.size, static_cast<CellClass>(object.kind), object.nearest_in_row != 0});
+    if (object.relevance > Object::IN_THE_WAY) {
+      return Result::refused("object of relevance " + std::to_string(object.relevance) +
+                             ", expected 0 to 2");
+    }
+    picture->objects.push_back({p.x, p.y, object.size, static_cast<CellClass>(object.kind),
+                                object.nearest_in_row != 0, static_cast<InTheWay>(object.relevance),
+                                std::abs(p.z) < 1e3F ? p.z : NAN, object.remembered != 0});
   }
   return Result::of(std::move(picture));
 }

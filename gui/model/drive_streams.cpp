@@ -65,9 +65,7 @@ DriveStreams::~DriveStreams() {
 // @param store takes a message and returns why it was refused; empty: it was not.
 template <class Message, class Store>
 void DriveStreams::listen(const std::string& topic, Store store) {
-  const auto refused = [this, topic](const std::string& reason) {
-    state_.refusals.update([&](auto& all) { all[topic] = {reason, steadySeconds()}; });
-  };
+  const auto refused = [this, topic](const std::string& reason) { this->refused(topic, reason); };
   auto options = guardedOptions<Message>(
       topic, 50,
       [store, refused](const ros::MessageEvent<const Message>& event) {
@@ -146,6 +144,10 @@ void DriveStreams::review(const std::set<std::string>& advertised) {
       return std::string();
     });
   }
+}
+
+void DriveStreams::refused(const std::string& topic, const std::string& reason) {
+  state_.refusals.update([&](auto& all) { all[topic] = {plainText(reason), steadySeconds()}; });
 }
 
 void DriveStreams::refuse(const std::string& why) {

@@ -26,6 +26,8 @@ class DriveStreams {
   /// Calls the gate's service; the answer stands in state.arming. Takes the stop back before, and
   /// arms nothing when it was pressed again meanwhile.
   void arm();
+  /// Notes that a message on the topic was refused, for the status line.
+  void refused(const std::string& topic, const std::string& reason);
 
  private:
   template <class Message, class Store>

@@ -188,6 +188,25 @@ std::string limitWords(const LimitReading& limit) {
   return {};
 }
 
+std::string routeWords(const RouteReading& route) {
+  const std::string to = "route: to point " + std::to_string(route.target + 1) + " of " +
+                         std::to_string(route.points) + ", " + number(route.distance_left, "m", 1) +
+                         " left";
+  switch (route.phase) {
+    case RoutePhase::kIdle:
+      return {};
+    case RoutePhase::kDriving:
+      return to;
+    case RoutePhase::kWaiting:
+      return to + ", waiting" + (route.text.empty() ? "" : ": " + route.text);
+    case RoutePhase::kReached:
+      return "route: reached";
+    case RoutePhase::kRefused:
+      return "route refused: " + route.text;
+  }
+  return {};
+}
+
 std::string stopWords(const StopReading& stop) {
   if (stop.cause == StopCause::kNotArmed) return "Not armed: the robot stands";
   return "Stopped: " + (stop.text.empty() ? defaultText(stop) : stop.text);

@@ -32,6 +32,8 @@ DriveWords driveWords(const DriveSituation& situation);
 
 /// "Slowed to 0.18 m/s: front ranger sees something 0.62 m ahead"
 std::string limitWords(const LimitReading& limit);
+/// "route: to point 2 of 5, 3.1 m left"; empty where there is nothing to tell.
+std::string routeWords(const RouteReading& route);
 /// "Stopped: camera silent for 0.4 s"
 std::string stopWords(const StopReading& stop);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QImage>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,12 +42,19 @@ struct FloorPicture {
   std::vector<float> deviations;  ///< [m], NaN where unknown
   std::string frame, method;
   QImage image;  ///< ARGB32, transparent where unknown
+  QImage calm;   ///< the same with obstacles in grey: below objects that tell whether they matter
 };
+
+/// Whether an object is in the way, in the order of Object.relevance.
+enum class InTheWay : std::uint8_t { kOther, kPotential, kYes };
 
 struct ObjectMark {
   float x, y, size;  ///< centre and edge, base frame [m]
   CellClass kind;
   bool nearest_in_row;
+  InTheWay relevance = InTheWay::kOther;
+  float z = std::numeric_limits<float>::quiet_NaN();  ///< mean height [m]; NaN: not measured
+  bool remembered = false;
 };
 
 struct ObjectsPicture {

@@ -48,21 +48,25 @@ RosStreams::RosStreams(ConsoleState& state, Helm* helm)
   state_.names.set(names);
   depth_ = subscribe("camera/depth/image_rect", conversions_.depth, state_.depth);
   floor_ = subscribe("floor_grid", conversions_.floor, state_.floor);
-  objects_ = subscribe("objects/camera", conversions_.objects, state_.objects);
   info_ = listen<sensor_msgs::CameraInfo>(
       "camera/depth/camera_info",
       [this](const ros::MessageEvent<const sensor_msgs::CameraInfo>& event) {
         conversions_.info.set(event.getConstMessage());
       },
       [this](const std::string& reason) { state_.depth.reject(reason, steadySeconds()); });
-  complaints_ = node_.subscribe<diagnostic_msgs::DiagnosticArray>(
-      "diagnostics", 10, [this](const diagnostic_msgs::DiagnosticArrayConstPtr& array) {
-        diagnostics_.update(*array, steadySeconds());
+  complaints_ = listen<diagnostic_msgs::DiagnosticArray>(
+      "diagnostics",
+      [this](const ros::MessageEvent<const diagnostic_msgs::DiagnosticArray>& event) {
+        diagnostics_.update(*event.getConstMessage(), steadySeconds());
         state_.complaints.set(diagnostics_.complaints(steadySeconds()));
-      });
-  settings_ = node_.subscribe<dynamic_reconfigure::Config>(
-      "floor/parameter_updates", 1,
-      [this](const dynamic_reconfigure::ConfigConstPtr& config) { announced(*config); });
+      },
+      [this](const std::string& reason) { drive_.refused("diagnostics", reason); }, 10);
+  settings_ = listen<dynamic_reconfigure::Config>(
+      "floor/parameter_updates",
+      [this](const ros::MessageEvent<const dynamic_reconfigure::Config>& event) {
+        announced(*event.getConstMessage());
+      },
+      [this](const std::string& reason) { drive_.refused("floor/parameter_updates", reason); });
   spinner_.start();
 }
 
@@ -77,8 +81,8 @@ template <class Message>
 ros::Subscriber RosStreams::listen(
     const std::string& topic,
     const boost::function<void(const ros::MessageEvent<const Message>&)>& receive,
-    const std::function<void(const std::string&)>& refused) {
-  auto options = guardedOptions<Message>(topic, 2, receive, refused);
+    const std::function<void(const std::string&)>& refused, std::uint32_t queue) {
+  auto options = guardedOptions<Message>(topic, queue, receive, refused);
   options.transport_hints = ros::TransportHints().tcpNoDelay();
   return node_.subscribe(options);
 }
@@ -116,6 +120,14 @@ void RosStreams::chooseSources() {
   const auto there = [&](const char* topic) {
     return advertised.count(node_.resolveName(topic)) > 0;
   };
+  // The list that tells most of its objects.
+  std::string objects = "objects/camera";
+  for (const char* topic : {"objects/merged", "objects/filtered"}) {
+    if (there(topic)) objects = topic;
+  }
+  if (!objects_ || objects_.getTopic() != node_.resolveName(objects)) {
+    objects_ = subscribe(objects, conversions_.objects, state_.objects);
+  }
   const double now = steadySeconds();
   const auto flows = [&](const FeedState& feed, const char* topic) {
     return feed.ever && feed.age_s < kStaleAfter && feed.topic == node_.resolveName(topic);

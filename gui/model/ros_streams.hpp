@@ -38,7 +38,7 @@ class RosStreams {
   ros::Subscriber listen(
       const std::string& topic,
       const boost::function<void(const ros::MessageEvent<const Message>&)>& receive,
-      const std::function<void(const std::string&)>& refused);
+      const std::function<void(const std::string&)>& refused, std::uint32_t queue = 2);
   template <class Message, class Picture>
   ros::Subscriber subscribe(const std::string& topic, Mailbox<Message>& box, Feed<Picture>& feed);
   ros::Subscriber subscribeCloud();

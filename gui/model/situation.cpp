@@ -73,6 +73,7 @@ std::vector<Notice> notices(const Situation& situation) {
       out.push_back({complaint.error ? Severity::kError : Severity::kWarning,
                      complaint.name + ": " + complaint.message});
     }
+    if (!situation.route.empty()) out.push_back({Severity::kNote, situation.route});
     if (!situation.link.robot.empty() && situation.link.robot != situation.robot) {
       out.push_back({Severity::kWarning, "the running robot is " + situation.link.robot +
                                              ", this console draws " + situation.robot});

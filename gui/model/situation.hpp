@@ -43,6 +43,7 @@ struct Situation {
   std::string info_topic;
   std::string missing_transform;  ///< "base_link to camera_depth_optical_frame"; empty: none
   std::vector<Complaint> complaints;
+  std::string route;  ///< what the task does, in words; empty: nothing
   std::string robot;  ///< whose YAML the console has read
 };
 

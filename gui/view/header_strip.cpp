@@ -10,7 +10,7 @@ namespace pilothouse::gui {
 namespace {
 
 constexpr int kButton = 22;
-constexpr int kFiguresWidth = 290;
+constexpr int kFiguresWidth = 190;  // the age and the buttons
 constexpr int kColumnGap = 12;
 constexpr int kDot = 10;
 

@@ -21,7 +21,8 @@ constexpr double kLegendRoom = 52.0;  // px at the bottom
 }  // namespace
 
 MapCanvas::MapCanvas(const RobotDescription& robot, QWidget* parent)
-    : QWidget(parent), robot_(robot), half_angle_(kUsualHalfAngle) {
+    : QWidget(parent), robot_(robot), outline_(robot.outline()), half_angle_(kUsualHalfAngle) {
+  setFocusPolicy(Qt::ClickFocus);  // takes the keys back from a field
   setMouseTracking(true);
   setMinimumSize(200, 160);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
@@ -38,6 +39,15 @@ void MapCanvas::setFloor(std::shared_ptr<const FloorPicture> floor) {
 
 void MapCanvas::setObjects(std::shared_ptr<const ObjectsPicture> objects) {
   objects_ = std::move(objects);  // drawn with the next grid: both come in pairs
+}
+
+void MapCanvas::setDrive(DriveOverlay drive) {
+  drive_ = std::move(drive);
+}
+
+void MapCanvas::setHeightBand(std::optional<HeightBand> band) {
+  band_ = band;
+  update();
 }
 
 void MapCanvas::setCamera(std::optional<CameraPose> pose, std::optional<double> half_angle) {
@@ -140,14 +150,21 @@ void MapCanvas::paintEvent(QPaintEvent*) {
   const QPainterPath seen = cone();
   painter.setRenderHint(QPainter::Antialiasing);
   painter.fillPath(seen, QColor(0x5a, 0xb4, 0xff, 22));
-  if (floor_) paintFloor(painter, view_, *floor_);
-  if (objects_ && floor_) paintObjects(painter, view_, *objects_);
+  if (floor_) paintFloor(painter, view_, *floor_, judged_);
+  paintWay(painter, view_, outline_, drive_);
+  paintRangers(painter, view_, drive_.rangers);
+  if (objects_ && judged_) {
+    paintJudgedObjects(painter, view_, *objects_, band_);
+  } else if (objects_ && floor_) {
+    paintObjects(painter, view_, *objects_);
+  }
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(QPen(QColor(0x5a, 0xb4, 0xff, 130), 1));
   painter.setBrush(Qt::NoBrush);
   painter.drawPath(seen);
   paintRings(painter, view_, size());
   paintRobot(painter, view_, robot_);
+  paintCause(painter, view_, drive_);
   const double margin = theme::kSpace;
   if (floor_ && freshness(state_) == Freshness::kStale) {
     paintStale(painter, rect(), state_);
@@ -156,7 +173,8 @@ void MapCanvas::paintEvent(QPaintEvent*) {
   } else if (!floor_) {
     paintEmptyCard(painter, QRectF(0, 0, width(), height() * 0.7), words_);
   }
-  paintLegend(painter, {margin, height() - margin}, width() - 150.0);
+  paintLegend(painter, {margin, height() - margin}, width() - 130.0,
+              {judged_, band_.has_value(), !drive_.rangers.empty()});
   paintScaleBar(painter, view_, {width() - margin, height() - margin});
   const QString text = readoutText();
   if (!text.isEmpty()) {

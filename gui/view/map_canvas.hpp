@@ -8,6 +8,7 @@
 #include "doors/robot_description.hpp"
 #include "gui/model/console_state.hpp"
 #include "gui/model/map_view.hpp"
+#include "gui/view/map_drive.hpp"
 #include "gui/view/overlay.hpp"
 
 namespace pilothouse::gui {
@@ -22,6 +23,10 @@ class MapCanvas : public QWidget {
 
   void setFloor(std::shared_ptr<const FloorPicture> floor);
   void setObjects(std::shared_ptr<const ObjectsPicture> objects);
+  /// @param judged the objects tell whether they are in the way.
+  void setJudged(bool judged) { judged_ = judged; }
+  void setDrive(DriveOverlay drive);
+  void setHeightBand(std::optional<HeightBand> band);
   void setCamera(std::optional<CameraPose> pose, std::optional<double> half_angle);
   void setState(const FeedState& state, const EmptyWords& words);
 
@@ -51,9 +56,13 @@ class MapCanvas : public QWidget {
   QPainterPath cone() const;
 
   RobotDescription robot_;
+  Footprint outline_;
   MapView view_;
   std::shared_ptr<const FloorPicture> floor_;
   std::shared_ptr<const ObjectsPicture> objects_;
+  DriveOverlay drive_;
+  std::optional<HeightBand> band_;
+  bool judged_ = false;
   std::optional<CameraPose> camera_;
   double half_angle_;
   FeedState state_;

@@ -70,13 +70,13 @@ void paintRings(QPainter& painter, const MapView& view, QSizeF size) {
   }
 }
 
-void paintFloor(QPainter& painter, const MapView& view, const FloorPicture& floor) {
+void paintFloor(QPainter& painter, const MapView& view, const FloorPicture& floor, bool calm) {
   const GridGeometry& g = floor.geometry;
   const double x_max = double(g.x_min) + double(g.cell_size) * g.size_x;
   const double y_max = double(g.y_min) + double(g.cell_size) * g.size_y;
   const QRectF where(view.toPixel(x_max, y_max), view.toPixel(double(g.x_min), double(g.y_min)));
   painter.setRenderHint(QPainter::SmoothPixmapTransform, false);
-  painter.drawImage(where, floor.image);
+  painter.drawImage(where, calm && !floor.calm.isNull() ? floor.calm : floor.image);
   painter.setRenderHint(QPainter::Antialiasing, false);
   painter.setPen(QPen(theme::kLine, 1));
   painter.setBrush(Qt::NoBrush);

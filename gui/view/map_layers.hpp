@@ -16,7 +16,9 @@ QColor robotColour();
 void paintGrid(QPainter& painter, const MapView& view, QSizeF size);
 /// Rings of range about the robot, with metres.
 void paintRings(QPainter& painter, const MapView& view, QSizeF size);
-void paintFloor(QPainter& painter, const MapView& view, const FloorPicture& floor);
+/// @param calm obstacles in grey, below objects with colours of their own.
+void paintFloor(QPainter& painter, const MapView& view, const FloorPicture& floor,
+                bool calm = false);
 /// The nearest of their row outlined in white, the others plain.
 void paintObjects(QPainter& painter, const MapView& view, const ObjectsPicture& objects);
 void paintRobot(QPainter& painter, const MapView& view, const RobotDescription& robot);
@@ -24,6 +26,9 @@ void paintScaleBar(QPainter& painter, const MapView& view, QPointF right_bottom)
 /// The mark of a drop-off's cell, beside its colour.
 void hatch(QPainter& painter, const QRectF& box);
 /// Swatches in as many rows as needed, in map_legend.cpp.
-void paintLegend(QPainter& painter, QPointF left_bottom, double most_width);
+struct LegendOf {
+  bool judged, heights, rangers;  ///< what the map shows beside the floor
+};
+void paintLegend(QPainter& painter, QPointF left_bottom, double most_width, LegendOf of);
 
 }  // namespace pilothouse::gui

@@ -1,7 +1,9 @@
 #include <QVector>
 #include <algorithm>
+#include <functional>
 
 #include "gui/model/class_colours.hpp"
+#include "gui/view/map_drive.hpp"
 #include "gui/view/map_layers.hpp"
 #include "gui/view/theme.hpp"
 
@@ -15,20 +17,56 @@ constexpr double kPad = 10.0;
 constexpr double kGap = 16.0;  // between entries
 
 struct Entry {
-  CellClass kind;
   QString text;
-  bool outlined;
+  std::function<void(QPainter&, const QRectF&)> swatch;
   QPointF place = {};  // within the box
   double width = 0.0;
 };
 
-QVector<Entry> entries() {
-  return {{CellClass::kFloor, QObject::tr("floor"), false},
-          {CellClass::kThreshold, QObject::tr("threshold"), false},
-          {CellClass::kObstacle, QObject::tr("obstacle"), false},
-          {CellClass::kDropOff, QObject::tr("drop-off"), false},
-          {CellClass::kUnknown, QObject::tr("unknown"), false},
-          {CellClass::kObstacle, QObject::tr("nearest of its row"), true}};
+std::function<void(QPainter&, const QRectF&)> cell(CellClass kind, bool outlined = false) {
+  return [=](QPainter& painter, const QRectF& swatch) {
+    const bool unknown = kind == CellClass::kUnknown;
+    painter.fillRect(swatch, unknown ? theme::kWindow : QColor(classColour(kind)));
+    painter.setBrush(Qt::NoBrush);
+    if (outlined || unknown) {
+      painter.setPen(QPen(outlined ? QColor(Qt::white) : theme::kMuted, 1.4));
+      painter.drawRect(swatch.adjusted(0.7, 0.7, -0.7, -0.7));
+    }
+    if (kind == CellClass::kDropOff) hatch(painter, swatch);
+  };
+}
+
+std::function<void(QPainter&, const QRectF&)> object(InTheWay relevance, bool remembered,
+                                                     bool at_height) {
+  return [=](QPainter& painter, const QRectF& swatch) {
+    ObjectMark mark{0.0F, 0.0F, 1.0F, CellClass::kObstacle, false, relevance, 0.0F, remembered};
+    paintObjectMark(painter, swatch, mark, at_height);
+  };
+}
+
+void rangerSwatch(QPainter& painter, const QRectF& swatch) {
+  painter.setPen(QPen(QColor(0x7d, 0xe3, 0xd2), 2.5, Qt::SolidLine, Qt::RoundCap));
+  painter.drawArc(swatch.adjusted(-3, 2, 3, 14), 50 * 16, 80 * 16);
+}
+
+QVector<Entry> entries(const LegendOf& of) {
+  const auto tr = [](const char* text) { return QObject::tr(text); };
+  QVector<Entry> all{{tr("floor"), cell(CellClass::kFloor)},
+                     {tr("threshold"), cell(CellClass::kThreshold)}};
+  if (!of.judged) all << Entry{tr("obstacle"), cell(CellClass::kObstacle)};
+  all << Entry{tr("drop-off"), cell(CellClass::kDropOff)}
+      << Entry{tr("unknown"), cell(CellClass::kUnknown)};
+  if (!of.judged) {
+    all << Entry{tr("nearest of its row"), cell(CellClass::kObstacle, true)};
+  } else {
+    all << Entry{tr("in the way"), object(InTheWay::kYes, false, false)}
+        << Entry{tr("beside"), object(InTheWay::kPotential, false, false)}
+        << Entry{tr("other"), object(InTheWay::kOther, false, false)}
+        << Entry{tr("remembered"), object(InTheWay::kOther, true, false)};
+    if (of.heights) all << Entry{tr("at the height"), object(InTheWay::kOther, false, true)};
+  }
+  if (of.rangers) all << Entry{tr("ranger"), rangerSwatch};
+  return all;
 }
 
 // Places the entries in rows. @return the size of the box.
@@ -50,22 +88,10 @@ QSizeF arrange(QVector<Entry>& all, double most_width) {
   return {widest + kPad, y + kRow + 4.0};
 }
 
-void paintSwatch(QPainter& painter, const Entry& entry, QPointF corner) {
-  const QRectF swatch(corner.x(), corner.y() + (kRow - kSwatch) / 2, kSwatch, kSwatch);
-  const bool unknown = entry.kind == CellClass::kUnknown;
-  painter.fillRect(swatch, unknown ? theme::kWindow : QColor(classColour(entry.kind)));
-  painter.setBrush(Qt::NoBrush);
-  if (entry.outlined || unknown) {
-    painter.setPen(QPen(entry.outlined ? QColor(Qt::white) : theme::kMuted, 1.4));
-    painter.drawRect(swatch.adjusted(0.7, 0.7, -0.7, -0.7));
-  }
-  if (entry.kind == CellClass::kDropOff) hatch(painter, swatch);
-}
-
 }  // namespace
 
-void paintLegend(QPainter& painter, QPointF left_bottom, double most_width) {
-  auto all = entries();
+void paintLegend(QPainter& painter, QPointF left_bottom, double most_width, LegendOf of) {
+  auto all = entries(of);
   const QSizeF size = arrange(all, most_width);
   const QPointF corner(left_bottom.x(), left_bottom.y() - size.height());
   painter.setRenderHint(QPainter::Antialiasing);
@@ -75,7 +101,7 @@ void paintLegend(QPainter& painter, QPointF left_bottom, double most_width) {
   painter.setFont(theme::smallFont());
   for (const auto& entry : all) {
     const QPointF place = corner + entry.place;
-    paintSwatch(painter, entry, place);
+    entry.swatch(painter, QRectF(place.x(), place.y() + (kRow - kSwatch) / 2, kSwatch, kSwatch));
     painter.setPen(theme::kText);
     painter.drawText(QRectF(place.x() + kSwatch + 6, place.y(), entry.width, kRow),
                      Qt::AlignLeft | Qt::AlignVCenter, entry.text);

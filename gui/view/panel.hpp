@@ -19,7 +19,7 @@ struct PanelContext {
   const RobotDescription& robot;
   /// Asks the floor nodelet for (method, calibrate mounting); null in tests.
   std::function<void(const std::string&, bool)> ask_floor;
-  Helm* helm = nullptr;           ///< null: a window that only watches
+  Helm* helm = nullptr;                     ///< null: a window that only watches
   std::function<void()> ask_arm = nullptr;  ///< asks the stop gate to let the robot drive again
 };
 

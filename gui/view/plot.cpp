@@ -104,7 +104,8 @@ std::vector<Plot::Chip> Plot::chips() const {
       x = kLeftRoom;
       y += kLegendRow;
     }
-    const double newest = series_[i].newest;
+    double newest = series_[i].newest;
+    if (std::abs(newest) < 0.005) newest = 0.0;  // never "-0.00"
     out.push_back({QRectF(x, y, wide, kLegendRow - 2.0), i,
                    std::isfinite(newest) ? QString::number(newest, 'f', 2) : QString("-")});
     x += wide + 8.0;
