@@ -21,6 +21,11 @@ Object toMessage(const Obstacle& obstacle) {
 
 }  // namespace
 
+ros::Time stampOf(double seconds) {
+  constexpr double kEnd = 4294967295.0;  // of the 32 bits
+  return seconds > 0.0 && seconds < kEnd ? ros::Time(seconds) : ros::Time();
+}
+
 ObjectList::Ptr toMessage(const std_msgs::Header& header, const std::string& source,
                           const std::vector<Obstacle>& objects) {
   auto message = boost::make_shared<ObjectList>();
@@ -39,7 +44,7 @@ ObjectList::Ptr toMessage(const std_msgs::Header& header, const std::string& sou
     entry.name = from.name;
     entry.age = std::numeric_limits<float>::infinity();
     if (from.stamp >= 0.0) {
-      entry.stamp = ros::Time(from.stamp);
+      entry.stamp = stampOf(from.stamp);
       entry.age = static_cast<float>(surroundings.stamp - from.stamp);
     }
     message->sources.push_back(std::move(entry));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pilothouse/ObjectList.h>
+#include <ros/time.h>
 #include <std_msgs/Header.h>
 
 #include <string>
@@ -9,6 +10,9 @@
 #include "core/motion/obstacle.hpp"
 
 namespace pilothouse {
+
+/// Time as messages have it; zero for what is not above 0 or does not fit.
+ros::Time stampOf(double seconds);
 
 // Each call makes a fresh message: what was published is never changed.
 

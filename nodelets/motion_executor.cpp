@@ -1,0 +1,211 @@
+#include <diagnostic_updater/diagnostic_updater.h>
+#include <nodelet/nodelet.h>
+#include <pilothouse/RouteState.h>
+#include <tf2_ros/transform_listener.h>
+#include <chrono>
+#include <pluginlib/class_list_macros.hpp>
+
+#include "doors/guarded_subscriber.hpp"
+#include "doors/motion_views.hpp"
+#include "doors/robot_description.hpp"
+#include "nodelets/executor_holds.hpp"
+#include "nodelets/input_health.hpp"
+#include "nodelets/wheel_commands.hpp"
+
+namespace pilothouse {
+
+/// Drives routes: route and odom in, cmd_vel/task, route_state and wheel_commands out, 25 times a
+/// second on the steady clock.
+class MotionExecutorNodelet : public nodelet::Nodelet {
+  void onInit() override {
+    ros::NodeHandle& handle = getNodeHandle();
+    StrictParameters robot_reader(ros::NodeHandle(handle, "robot"));
+    const RobotDescription robot = readRobot(robot_reader);
+    executor_ = std::make_unique<MotionExecutor>(readParameters(), robot.drive);
+    wheels_ = std::make_unique<WheelCommands>(handle, robot.drive, base_frame_);
+    command_ = handle.advertise<geometry_msgs::TwistStamped>("cmd_vel/task", 2);
+    state_ = handle.advertise<RouteState>("route_state", 10, true);
+    diagnostics_ =
+        std::make_unique<diagnostic_updater::Updater>(handle, getPrivateNodeHandle(), getName());
+    diagnostics_->setHardwareID("none");
+
+    subscribe<nav_msgs::Odometry>("odom", odometry_health_, [this](const auto& odometry) {
+      const auto motion = openOdometry(odometry);
+      if (!motion) return motion.reason();
+      if (odometry.header.frame_id != odom_frame_) return "in another frame than " + odom_frame_;
+      T_odom_base_ = motion->pose;
+      return std::string();
+    });
+    subscribe<nav_msgs::Path>("route", route_health_,
+                              [this](const auto& path) { return takeRoute(path); });
+    subscribe<SpeedLimit>("speed_limit", limit_health_, [this](const auto& limit) {
+      holds_.take(limit, steadyNow());
+      return std::string();
+    });
+    subscribe<StopState>("stop_state", stop_health_, [this](const auto& state) {
+      holds_.take(state, steadyNow());
+      return std::string();
+    });
+    diagnostics_timer_ = handle.createWallTimer(
+        ros::WallDuration(1.0),
+        [this](const ros::WallTimerEvent&) { diagnostics_->force_update(); });
+    timer_ = handle.createSteadyTimer(ros::WallDuration(0.04),
+                                      [this](const ros::SteadyTimerEvent&) { step(); });
+  }
+
+  ExecutorParameters readParameters() {
+    ExecutorParameters parameters;
+    std::string heading = "free";
+    StrictParameters own(getPrivateNodeHandle());
+    own.read("base_frame", base_frame_);
+    own.read("odom_frame", odom_frame_);
+    own.read("heading", heading, {"free", "kept"});
+    forEachExecutorParameter(
+        parameters, [&own](const char* key, auto& value, const auto& low, const auto& high) {
+          own.read(key, value, low, high);
+        });
+    own.finish();
+    parameters.heading = heading == "kept" ? HeadingMode::kKept : HeadingMode::kFree;
+    return parameters;
+  }
+
+  template <class Message>
+  void subscribe(const std::string& topic, InputHealth& health,
+                 std::function<std::string(const Message&)> take) {
+    health.listening(true);
+    diagnostics_->add(topic, &health, &InputHealth::report);
+    subscribers_.push_back(subscribeGuarded<Message>(
+        getNodeHandle(), topic, 8,
+        [&health, take](const boost::shared_ptr<const Message>& message) {
+          const auto begin = InputHealth::Clock::now();
+          health.arrived();
+          const std::string fault = take(*message);
+          if (fault.empty()) return health.accepted(InputHealth::Clock::now() - begin);
+          health.rejected("message", fault);
+        },
+        [&health](const std::string& reason) { health.rejected("lengths", reason); },
+        ros::TransportHints().tcpNoDelay()));
+  }
+
+  std::string takeRoute(const nav_msgs::Path& path) {
+    const auto wish = openRoute(path);
+    std::string fault = wish ? "" : wish.reason();
+    std::optional<Pose2> pose;
+    if (fault.empty() && !wish->points.empty()) {
+      pose = poseIn(path.header.frame_id, fault);
+      if (fault.empty() && !pose) fault = "the robot's pose is not known: no odometry";
+    }
+    if (!fault.empty()) {
+      publish(RouteState::REFUSED, {}, fault);
+      refused_ = executor_->idle();
+      return fault;
+    }
+    frame_ = path.header.frame_id;
+    points_ = wish->points.size();
+    refused_ = false;
+    executor_->drive(wish->points, wish->heading, wish->loop, pose.value_or(Pose2{}));
+    return {};
+  }
+
+  /// The base's newest pose in a frame. @param fault why not
+  std::optional<Pose2> poseIn(const std::string& frame, std::string& fault) {
+    if (!T_odom_base_) return std::nullopt;
+    if (frame == odom_frame_) return T_odom_base_;
+    try {
+      // The newest: a frame that is corrected now and then must be right now.
+      const auto transform = transforms_.lookupTransform(frame, odom_frame_, ros::Time(0));
+      const auto& q = transform.transform.rotation;
+      const auto& t = transform.transform.translation;
+      const Pose2 T_frame_odom{t.x, t.y, 2.0 * std::atan2(q.z, q.w)};
+      const Eigen::Vector2d place = T_frame_odom * T_odom_base_->position();
+      return Pose2{place.x(), place.y(), wrapped(T_frame_odom.heading + T_odom_base_->heading)};
+    } catch (const tf2::TransformException& unknown) {
+      fault = "frame \"" + frame.substr(0, 64) + "\": " + unknown.what();
+      return std::nullopt;
+    }
+  }
+
+  void step() {
+    std::string fault;
+    ExecutorInput input;
+    input.now = ros::Time::now().toSec();
+    ExecutorOutput output;
+    if (!executor_->idle()) {
+      const auto pose = poseIn(frame_, fault);
+      input.hold = holds_.at(steadyNow(), input.reason);
+      if (pose) {
+        input.pose = *pose;
+        output = executor_->step(input);
+      } else {
+        output.state = ExecutorState::kWaiting;
+        output.text = fault;
+      }
+    }
+    const bool busy =
+        output.state == ExecutorState::kDriving || output.state == ExecutorState::kWaiting;
+    if (busy) busy_until_ = steadyNow() + kLingering;
+    // A while of zeros brings the robot to rest; after that there is nothing that a task wants.
+    if (steadyNow() <= busy_until_) send(output.wanted);
+    const bool changed =
+        output.state != last_.state || output.target != last_.target || output.text != last_.text;
+    last_ = output;
+    if (refused_ || (!changed && ++unsaid_ < kSaidEvery)) return;
+    unsaid_ = 0;
+    publish(static_cast<std::uint8_t>(output.state), output, output.text);
+  }
+
+  void send(const Twist2& wanted) {
+    geometry_msgs::TwistStamped command;
+    command.header.stamp = ros::Time::now();
+    command.header.frame_id = base_frame_;
+    command.twist.linear.x = wanted.vx;
+    command.twist.linear.y = wanted.vy;
+    command.twist.angular.z = wanted.w;
+    command_.publish(command);
+    wheels_->publish(wanted);
+  }
+
+  void publish(std::uint8_t state, const ExecutorOutput& output, const std::string& text) {
+    RouteState message;
+    message.header.stamp = ros::Time::now();
+    message.header.frame_id = frame_;
+    message.state = state;
+    message.target = static_cast<std::uint32_t>(output.target);
+    message.points = static_cast<std::uint32_t>(points_);
+    message.distance_left = static_cast<float>(output.distance_left);
+    message.text = text;
+    state_.publish(message);
+  }
+
+  static double steadyNow() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
+        .count();
+  }
+
+  static constexpr double kLingering = 2.0;  ///< zeros after the end of a route [s]
+  static constexpr int kSaidEvery = 3;       ///< steps between states that say nothing new
+
+  std::string base_frame_ = "base_link", odom_frame_ = "odom", frame_;
+  std::unique_ptr<MotionExecutor> executor_;
+  std::unique_ptr<WheelCommands> wheels_;
+  ExecutorHolds holds_;
+  std::optional<Pose2> T_odom_base_;
+  ExecutorOutput last_;
+  std::size_t points_ = 0;
+  double busy_until_ = -1.0;
+  int unsaid_ = 0;
+  bool refused_ = false;  ///< idle since a route was refused: that stays said
+  InputHealth odometry_health_{"odom", 1.0}, route_health_{"route", 1e9};
+  InputHealth limit_health_{"speed_limit", 1.0}, stop_health_{"stop_state", 1e9};
+  tf2_ros::Buffer transforms_;
+  tf2_ros::TransformListener listener_{transforms_};
+  ros::Publisher command_, state_;
+  std::vector<ros::Subscriber> subscribers_;
+  std::unique_ptr<diagnostic_updater::Updater> diagnostics_;
+  ros::WallTimer diagnostics_timer_;
+  ros::SteadyTimer timer_;
+};
+
+}  // namespace pilothouse
+
+PLUGINLIB_EXPORT_CLASS(pilothouse::MotionExecutorNodelet, nodelet::Nodelet)
