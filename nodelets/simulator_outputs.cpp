@@ -1,5 +1,7 @@
 #include "nodelets/simulator_outputs.hpp"
 
+#include <nav_msgs/Path.h>
+
 #include <utility>
 
 #include "nodelets/simulator_messages.hpp"
@@ -14,7 +16,7 @@ constexpr double kContactPeriod = 0.1;  // [s]
 
 SimulatorOutputs::SimulatorOutputs(ros::NodeHandle& handle, const sim::SimRobot& robot,
                                    const sim::SensorParameters& parameters,
-                                   std::string camera_frame, const Pose2& start)
+                                   std::string camera_frame, const sim::World& world)
     : robot_(robot),
       parameters_(parameters),
       kinematics_(robot.base),
@@ -31,7 +33,37 @@ SimulatorOutputs::SimulatorOutputs(ros::NodeHandle& handle, const sim::SimRobot&
   for (const auto& ranger : robot_.rangers) {
     ranges_.push_back(handle.advertise<sensor_msgs::Range>("range/" + ranger.name, 10));
   }
-  fixed_transforms_.sendTransform(transformOf(start, header(ros::Time::now(), kWorld), kOdometry));
+  publishRoutes(handle, world);
+}
+
+void SimulatorOutputs::publishRoutes(ros::NodeHandle& handle, const sim::World& world) {
+  for (const auto& [name, points] : world.routes) {
+    nav_msgs::Path path;
+    path.header = header(ros::Time::now(), kWorld);
+    for (const auto& point : points) {
+      path.poses.emplace_back();
+      path.poses.back().header = path.header;
+      path.poses.back().pose.position.x = point.x();
+      path.poses.back().pose.position.y = point.y();
+    }
+    routes_.push_back(handle.advertise<nav_msgs::Path>("world_routes/" + name, 1, true));
+    routes_.back().publish(path);
+  }
+}
+
+void SimulatorOutputs::publishOdometry(const sim::Simulation& simulation,
+                                       const sim::OdometryReading& odometry,
+                                       const ros::Time& stamp) {
+  odometry_.publish(toMessage(odometry, header(stamp, kOdometry), kBase));
+  const Pose2& T_odom_base = odometry.pose;
+  const Pose2 T_world_base = simulation.base().pose();
+  Pose2 T_world_odom{0.0, 0.0, wrapped(T_world_base.heading - T_odom_base.heading)};
+  const Eigen::Vector2d place = T_world_base.position() - T_world_odom * T_odom_base.position();
+  T_world_odom.x = place.x();
+  T_world_odom.y = place.y();
+  transforms_.sendTransform(
+      std::vector{transformOf(T_odom_base, header(stamp, kOdometry), kBase),
+                  transformOf(T_world_odom, header(stamp, kWorld), kOdometry)});
 }
 
 std_msgs::Header SimulatorOutputs::header(const ros::Time& stamp, const std::string& frame) {
@@ -44,9 +76,7 @@ std_msgs::Header SimulatorOutputs::header(const ros::Time& stamp, const std::str
 void SimulatorOutputs::publish(const sim::Simulation& simulation, const sim::Readings& readings,
                                const Stamp& stamp) {
   if (readings.odometry) {
-    const auto odometry = header(stamp(readings.odometry->stamp), kOdometry);
-    odometry_.publish(toMessage(readings.odometry->value, odometry, kBase));
-    transforms_.sendTransform(transformOf(readings.odometry->value.pose, odometry, kBase));
+    publishOdometry(simulation, readings.odometry->value, stamp(readings.odometry->stamp));
   }
   if (readings.imu) {
     imu_.publish(

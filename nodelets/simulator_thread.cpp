@@ -23,7 +23,7 @@ SimulatorThread::SimulatorThread(ros::NodeHandle& handle, SimulatorSettings sett
       simulation_(std::make_unique<sim::Simulation>(settings_.world, settings_.robot,
                                                     settings_.parameters)),
       outputs_(handle, settings_.robot, settings_.parameters.sensors, settings_.camera_frame,
-               settings_.world.start),
+               settings_.world),
       pace_(settings_.rate, sim::Simulation::kTick),
       epoch_(settings_.clock ? ros::Time(kClockStart) : ros::Time(0)) {
   if (settings_.clock) clock_ = handle.advertise<rosgraph_msgs::Clock>("/clock", 10);
