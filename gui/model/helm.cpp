@@ -84,6 +84,7 @@ void Helm::connect(std::shared_ptr<HelmOutput> output) {
 }
 
 void Helm::start() {
+  ending_ = false;
   thread_ = std::thread([this] { run(); });
 }
 

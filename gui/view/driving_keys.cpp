@@ -62,7 +62,8 @@ DrivingKeys::DrivingKeys(Helm& helm, bool watched, QObject* parent)
     : QObject(parent), helm_(helm), watched_(watched) {
   qApp->installEventFilter(this);
   connect(qApp, &QGuiApplication::focusWindowChanged, this, &DrivingKeys::review);
-  connect(qApp, &QGuiApplication::focusObjectChanged, this, &DrivingKeys::review);
+  connect(qobject_cast<QApplication*>(qApp), &QApplication::focusChanged, this,
+          &DrivingKeys::review);
   connect(qApp, &QGuiApplication::applicationStateChanged, this, &DrivingKeys::review);
   review();
 }
