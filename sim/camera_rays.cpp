@@ -19,26 +19,20 @@ struct Packet;
 template <>
 struct Packet<4> {
   using RayHit = RTCRayHit4;
-  using Ray = RTCRay4;
   static constexpr int kColumns = 4, kRows = 1;
   static constexpr auto intersect = rtcIntersect4;
-  static constexpr auto occluded = rtcOccluded4;
 };
 template <>
 struct Packet<8> {
   using RayHit = RTCRayHit8;
-  using Ray = RTCRay8;
   static constexpr int kColumns = 4, kRows = 2;
   static constexpr auto intersect = rtcIntersect8;
-  static constexpr auto occluded = rtcOccluded8;
 };
 template <>
 struct Packet<16> {
   using RayHit = RTCRayHit16;
-  using Ray = RTCRay16;
   static constexpr int kColumns = 4, kRows = 4;
   static constexpr auto intersect = rtcIntersect16;
-  static constexpr auto occluded = rtcOccluded16;
 };
 
 int widestPacket(RTCDevice device) {
@@ -157,12 +151,17 @@ void CameraRays::castPackets(const WorldScene& scene, bool triangles, CameraHits
         }
       }
       if (touches(glass_, u, v, kColumns, kRows)) {
-        auto glass = packet.ray;
-        for (int i = 0; i < kRays; ++i) glass.mask[i] = kGlassRay;
-        P::occluded(valid, scene.embree_->fixed, &context, &glass);
-        P::occluded(valid, scene.embree_->moving, &context, &glass);
+        // Not rtcOccluded16: Embree 3.13 does not come back from it for rays that are already
+        // occluded.
+        typename P::RayHit glass = packet;
+        for (int i = 0; i < kRays; ++i) {
+          glass.ray.mask[i] = kGlassRay;
+          glass.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+        }
+        P::intersect(valid, scene.embree_->fixed, &context, &glass);
+        P::intersect(valid, scene.embree_->moving, &context, &glass);
         for (int i = 0; i < kRays; ++i)
-          if (glass.tfar[i] < 0.0F) flags[i] |= CameraHits::kGlass;
+          if (glass.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID) flags[i] |= CameraHits::kGlass;
       }
       for (int row = 0; row < kRows && v + row < height; ++row) {
         const auto at = static_cast<std::size_t>((v + row) * width + u);
