@@ -163,10 +163,12 @@ class Bridge {
   bool drives(double since, std::size_t count) {
     return wait([&] { return recorder->drives(since).size() >= count; });
   }
+  /// The last command is a zero and a while ago.
   bool ended(double since) {
     return wait([&] {
       const auto all = recorder->drives(since);
-      return !all.empty() && all.back().command.zero();
+      return !all.empty() && all.back().command.zero() &&
+             recorder->beats(all.back().at).size() >= 4;
     });
   }
   /// Nothing is driven while this many signs of life pass.
@@ -212,6 +214,10 @@ class ConsoleDrive : public ::testing::Test {
   void SetUp() override { bridge->makeReady(); }
   void TearDown() override {
     xdotool("keyup w keyup Up keyup space");
+    EXPECT_TRUE(bridge->wait([&] {  // it may come to rest first
+      const auto drives = bridge->recorder->drives(0.0);
+      return drives.empty() || bridge->recorder->beats(drives.back().at).size() >= 4;
+    }));
     bridge->expectSilence(3);
   }
   static Bridge* bridge;
@@ -227,9 +233,12 @@ TEST_F(ConsoleDrive, aHeldKeyDrivesAt25HzAndItsReleaseIsOneZeroThenSilence) {
   xdotool("keyup w");
   ASSERT_TRUE(bridge->ended(since));
   bridge->expectSilence(10);
-  const auto all = bridge->recorder->drives(since);
-  EXPECT_EQ(zeros(all), 1);
-  const double rate = static_cast<double>(all.size() - 2) / (all[all.size() - 2].at - all[0].at);
+  auto all = bridge->recorder->drives(since);
+  // One, and perhaps some more until the limiter's report says that the robot stands.
+  EXPECT_LE(zeros(all), 8);
+  while (all.back().command.zero()) all.pop_back();
+  EXPECT_EQ(zeros(all), 0);
+  const double rate = static_cast<double>(all.size() - 1) / (all.back().at - all.front().at);
   EXPECT_NEAR(rate, 25.0, 2.0);
   EXPECT_GT(all.front().command.vx, 0.0);
 }
@@ -260,7 +269,6 @@ TEST_F(ConsoleDrive, aLostFocusStopsAlthoughTheReleaseNeverArrives) {
   bridge->expectSilence(10);
   bridge->focus();  // the finger never left the key
   bridge->expectSilence(10);
-  EXPECT_EQ(zeros(bridge->recorder->drives(since)), 1);
 }
 
 TEST_F(ConsoleDrive, minimisingStops) {
@@ -302,7 +310,7 @@ TEST_F(ConsoleDrive, aWindowThatHangsEndsDrivingByHandButNotTheSignOfLife) {
   const auto drives = bridge->recorder->drives(hung);
   ASSERT_FALSE(drives.empty());
   EXPECT_TRUE(drives.back().command.zero());
-  EXPECT_EQ(zeros(drives), 1);
+  EXPECT_LE(zeros(drives), 8);
   EXPECT_LT(drives.back().at, back - 0.5);
   const auto beats = bridge->recorder->beats(hung);
   EXPECT_GE(beats.size(), 30U);

@@ -40,7 +40,7 @@ struct Driver {
   explicit Driver(const BaseParameters& base = steered()) : teleop(base) { teleop.setCap(0.3); }
   void run(double seconds, HandsOff hindrance = HandsOff::kNone) {
     for (const double end = now + seconds; now < end - 1e-9; now += 0.004) {
-      if (const auto command = teleop.step(now, hindrance)) {
+      if (const auto command = teleop.step(now, hindrance, moves)) {
         sent.push_back(*command);
         times.push_back(now);
       }
@@ -62,6 +62,7 @@ struct Driver {
   }
 
   Teleop teleop;
+  bool moves = false;  ///< the limiter lets the robot move
   double now = 100.0;
   std::vector<Twist2> sent;
   std::vector<double> times;
@@ -87,6 +88,28 @@ TEST(Teleop, aHeldKeyDrivesAt25HzAndItsReleaseIsOneZeroThenSilence) {
   EXPECT_TRUE(driver.sent.back().zero());
   EXPECT_EQ(driver.zeros(), 1);
   EXPECT_LT(driver.times.back() - 102.0, 0.03) << "within the debounce";
+}
+
+TEST(Teleop, zerosAreRepeatedWhileTheRobotComesToRest) {
+  Driver driver;
+  driver.moves = true;
+  driver.teleop.press(kW, driver.now);
+  driver.run(0.5);
+  driver.teleop.release(kW, driver.now);
+  driver.run(0.8);
+  EXPECT_NEAR(driver.zeros(), 20, 2) << "no command ages on the way";
+  driver.moves = false;
+  driver.run(0.1);
+  const auto before = driver.sent.size();
+  driver.moves = true;  // somebody else drives
+  driver.run(1.0);
+  EXPECT_EQ(driver.sent.size(), before);
+  driver.teleop.press(kW, driver.now);
+  driver.run(0.5);
+  driver.teleop.release(kW, driver.now);
+  driver.run(5.0);
+  EXPECT_NEAR(driver.times.back() - (driver.now - 5.0), Teleop::kComesToRest, 0.1)
+      << "never for ever, whatever the limiter says";
 }
 
 TEST(Teleop, autorepeatOfAHeldKeyNeverStutters) {

@@ -17,6 +17,7 @@ namespace pilothouse::gui {
 namespace {
 
 constexpr std::size_t kMostRangers = 16;
+constexpr double kStands = 1e-4;      // m/s
 constexpr double kGateAnswers = 1.0;  // s within which the gate must have spoken to be armed
 constexpr int kCanArmTries = 50;      // of 10 ms, until the gate has heard that the stop is back
 
@@ -24,9 +25,11 @@ constexpr int kCanArmTries = 50;      // of 10 ms, until the gate has heard that
 
 DriveStreams::DriveStreams(ros::NodeHandle& node, ConsoleState& state, Helm* helm)
     : node_(node), state_(state), helm_(helm) {
-  listenTo<SpeedLimit, LimitReading>(
-      "speed_limit", state_.limit, limitFromMessage,
-      [this](double now, const LimitReading& r) { state_.telemetry.limit(now, r); });
+  listenTo<SpeedLimit, LimitReading>("speed_limit", state_.limit, limitFromMessage,
+                                     [this](double now, const LimitReading& r) {
+                                       state_.telemetry.limit(now, r);
+                                       if (helm_ && r.limited > kStands) helm_->limiterMoves();
+                                     });
   listenTo<StopState, StopReading>("stop_state", state_.gate, stopFromMessage,
                                    [this](double now, const StopReading& r) {
                                      state_.telemetry.stop(now, r);

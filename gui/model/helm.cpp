@@ -155,7 +155,7 @@ void Helm::step(double now) {
     std::optional<Twist2> command;
     {
       const std::lock_guard<std::mutex> lock(mutex_);
-      command = teleop_.step(now, why);
+      command = teleop_.step(now, why, now - moves_at_ < kMovesFor);
     }
     const std::lock_guard<std::mutex> lock(output_mutex_);
     if (command && output_) output_->drive(*command);

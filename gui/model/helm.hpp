@@ -8,6 +8,7 @@
 #include <optional>
 #include <thread>
 
+#include "gui/model/clock.hpp"
 #include "gui/model/teleop.hpp"
 
 namespace pilothouse::gui {
@@ -46,6 +47,7 @@ class Helm {
  public:
   static constexpr double kBeatPeriod = 0.05;    ///< [s]: 20 Hz
   static constexpr double kWindowHangs = 0.5;    ///< without a sign of the window driving ends [s]
+  static constexpr double kMovesFor = 0.2;       ///< after the limiter said so [s]
   static constexpr double kGateForgotten = 1.0;  ///< an older state of the gate hinders nothing [s]
 
   explicit Helm(const BaseParameters& base);
@@ -76,6 +78,9 @@ class Helm {
   /// The gate's newest state. @param latched it holds the robot until it is armed.
   void gateSays(std::uint32_t beat, bool latched);
 
+  /// The limiter lets the robot move now.
+  void limiterMoves() { moves_at_ = steadySeconds(); }
+
   /// Null: no connection.
   void connect(std::shared_ptr<HelmOutput> output);
   void start();
@@ -93,7 +98,7 @@ class Helm {
 
   std::atomic<bool> stop_{false}, keys_drive_{true}, latched_{false};
   std::atomic<bool> active_{false}, focused_{true};
-  std::atomic<double> window_at_{-1e9}, gate_at_{-1e9};
+  std::atomic<double> window_at_{-1e9}, gate_at_{-1e9}, moves_at_{-1e9};
   std::atomic<std::uint32_t> gate_beat_{0};
   std::atomic<bool> hurry_{false};
 

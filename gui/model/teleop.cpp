@@ -77,24 +77,36 @@ Twist2 Teleop::wish(double now) const {
   return {share.vx * speed, share.vy * speed, share.w * turn};
 }
 
-std::optional<Twist2> Teleop::step(double now, HandsOff hindrance) {
+std::optional<Twist2> Teleop::comeToRest(double now, bool moves) {
+  if (driving_) {
+    let_go_at_ = now;
+  } else if (!resting_ || now < next_) {
+    return std::nullopt;
+  } else if (!moves || now - let_go_at_ > kComesToRest) {
+    resting_ = false;
+    return std::nullopt;
+  }
+  driving_ = false;
+  resting_ = true;
+  next_ = now + kPeriod;
+  command_ = {};
+  return command_;
+}
+
+std::optional<Twist2> Teleop::step(double now, HandsOff hindrance, bool moves) {
   const bool wants = wanted(now);
   if (hindrance != HandsOff::kNone) {
     if (wants || driving_) interrupt(hindrance);
   }
-  if (wants && hindrance == HandsOff::kNone) {
-    if (driving_ && now < next_) return std::nullopt;
-    // In step with its own beat, except after a pause.
-    next_ = driving_ && now - next_ < kPeriod ? next_ + kPeriod : now + kPeriod;
-    driving_ = true;
-    reason_ = HandsOff::kNone;
-    command_ = wish(now);
-    return command_;
-  }
-  if (!driving_) return std::nullopt;
-  driving_ = false;
-  command_ = {};
-  return command_;  // one zero, then silence
+  if (!wants || hindrance != HandsOff::kNone) return comeToRest(now, moves);
+  if (driving_ && now < next_) return std::nullopt;
+  // In step with its own beat, except after a pause.
+  next_ = driving_ && now - next_ < kPeriod ? next_ + kPeriod : now + kPeriod;
+  driving_ = true;
+  resting_ = false;
+  reason_ = HandsOff::kNone;
+  command_ = wish(now);
+  return command_;
 }
 
 }  // namespace pilothouse::gui

@@ -34,13 +34,15 @@ enum class HandsOff {
   kTyping,       ///< keys go into a field
 };
 
-/// Turns held keys and the stick into commands: hold to drive, one zero on release, then silence so
-/// that others can drive. Nothing is sent before a person pressed something. A pure state machine;
-/// times are steady seconds.
+/// Turns held keys and the stick into commands: hold to drive, a zero on release, repeated while
+/// the limiter still brings the robot to rest (a command that ages on the way would be a fault),
+/// then silence so that others can drive. Nothing is sent before a person pressed something. A pure
+/// state machine; times are steady seconds.
 class Teleop {
  public:
   static constexpr double kPeriod = 0.04;      ///< between commands [s]: 25 Hz
   static constexpr double kSlowFactor = 0.35;  ///< of Shift
+  static constexpr double kComesToRest = 2.0;  ///< zeros are repeated no longer than this [s]
 
   explicit Teleop(const BaseParameters& base) : base_(base) {}
 
@@ -54,16 +56,20 @@ class Teleop {
   void interrupt(HandsOff reason);
 
   /// The command that is due now, if any. @param hindrance why none may be sent; kNone: go.
-  std::optional<Twist2> step(double now, HandsOff hindrance);
+  /// @param moves the limiter still lets the robot move.
+  std::optional<Twist2> step(double now, HandsOff hindrance, bool moves = false);
 
   bool driving() const { return driving_; }
   const Twist2& command() const { return command_; }  ///< newest [m/s, rad/s]
   HandsOff reason() const { return reason_; }         ///< of the end of the last drive
   bool held(DriveKey meaning, double now) const;
   /// Keys are down: step() wants to be called often.
-  bool busy(double now) const { return driving_ || keys_.busy(now) || stick_.has_value(); }
+  bool busy(double now) const {
+    return driving_ || resting_ || keys_.busy(now) || stick_.has_value();
+  }
 
  private:
+  std::optional<Twist2> comeToRest(double now, bool moves);
   Twist2 wish(double now) const;
   bool wanted(double now) const;
 
@@ -72,7 +78,8 @@ class Teleop {
   std::optional<Twist2> stick_;
   double cap_ = 0.3;
   bool driving_ = false;
-  double next_ = 0.0;
+  bool resting_ = false;  ///< let go, the robot not yet at rest
+  double next_ = 0.0, let_go_at_ = 0.0;
   Twist2 command_;
   HandsOff reason_ = HandsOff::kNone;
 };
