@@ -133,9 +133,14 @@ void SimulatorThread::waitForNext() {
 }
 
 void SimulatorThread::keepFigures() {
+  std::string failing;
+  for (const auto& name : simulation_->sensors().failing(simulation_->time())) {
+    failing += (failing.empty() ? "" : ", ") + name;
+  }
   const std::lock_guard<std::mutex> lock(mutex_);
-  figures_ = {pace_.factor(), simulation_->time(), pace_.givenUp(),
-              simulation_->base().contacts().size(), simulation_->times()};
+  figures_ = {pace_.factor(),  simulation_->time(),
+              pace_.givenUp(), simulation_->base().contacts().size(),
+              failing,         simulation_->times()};
 }
 
 void SimulatorThread::report(diagnostic_updater::DiagnosticStatusWrapper& status) {
@@ -146,7 +151,9 @@ void SimulatorThread::report(diagnostic_updater::DiagnosticStatusWrapper& status
     figures = figures_;
   }
   const bool slow = settings_.rate > 0.0 && figures.factor < kSlow * settings_.rate;
-  if (slow)
+  if (!figures.failing.empty())
+    status.summary(DiagnosticStatus::WARN, "made to fail: " + figures.failing);
+  else if (slow)
     status.summary(DiagnosticStatus::WARN, "slower than it should be");
   else
     status.summary(DiagnosticStatus::OK, "simulating " + settings_.world.name);

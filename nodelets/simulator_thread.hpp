@@ -69,6 +69,7 @@ class SimulatorThread {
     double factor = 0.0, time = 0.0;
     std::uint64_t given_up = 0;
     std::size_t contacts = 0;
+    std::string failing;  ///< sensors that were made to
     sim::PartTimes times;
   } figures_;
   std::thread thread_;

@@ -38,6 +38,7 @@ class SensorChannel {
       : random_(seed), corrupt_(std::move(corrupt)) {}
 
   void fail(const Fault& fault) { fault_ = fault; }
+  bool failing(double now) const { return kindAt(now) != FaultKind::kNone; }
   /// Whether offer() wants a fresh value, which may cost much to measure.
   bool wantsValue(double now) const {
     return !(kindAt(now) == FaultKind::kFreeze && last_) &&

@@ -138,24 +138,25 @@ Sensors::Colour Sensors::measureColour() {
 
 bool Sensors::fail(const std::string& sensor, const Fault& fault) {
   bool found = false;
-  const auto set = [&](const std::string& name, auto& channel) {
+  forEachChannel(*this, [&](const std::string& name, auto& channel) {
     if (sensor != name && sensor != "all") return;
     channel.fail(fault);
     found = true;
-  };
-  set("camera", depth_channel_);
-  set("colour", colour_channel_);
-  set("odometry", odometry_channel_);
-  set("imu", imu_channel_);
-  for (std::size_t i = 0; i < rangers_.size(); ++i) {
-    set(rangers_[i].ranger().name, range_channels_[i]);
-  }
+  });
   return found;
 }
 
 std::vector<std::string> Sensors::names() const {
-  std::vector<std::string> names = {"camera", "colour", "odometry", "imu"};
-  for (const Ranger& ranger : rangers_) names.push_back(ranger.ranger().name);
+  std::vector<std::string> names;
+  forEachChannel(*this, [&](const std::string& name, const auto&) { names.push_back(name); });
+  return names;
+}
+
+std::vector<std::string> Sensors::failing(double now) const {
+  std::vector<std::string> names;
+  forEachChannel(*this, [&](const std::string& name, const auto& channel) {
+    if (channel.failing(now)) names.push_back(name);
+  });
   return names;
 }
 

@@ -42,12 +42,25 @@ class Sensors {
   bool fail(const std::string& sensor, const Fault& fault);
   /// camera, colour, odometry, imu, and the rangers'.
   std::vector<std::string> names() const;
+  /// Names of the sensors that were made to fail and still do.
+  std::vector<std::string> failing(double now) const;
   const CameraProfile& camera() const { return camera_.profile(); }
 
  private:
   using Depth = std::shared_ptr<const DepthImage>;
   using Colour = std::shared_ptr<const ColourImage>;
 
+  /// Calls visit(name, channel) for each of `self`, which may be const.
+  template <class Self, class Visit>
+  static void forEachChannel(Self& self, Visit visit) {
+    visit(std::string("camera"), self.depth_channel_);
+    visit(std::string("colour"), self.colour_channel_);
+    visit(std::string("odometry"), self.odometry_channel_);
+    visit(std::string("imu"), self.imu_channel_);
+    for (std::size_t i = 0; i < self.rangers_.size(); ++i) {
+      visit(self.rangers_[i].ranger().name, self.range_channels_[i]);
+    }
+  }
   void look(const WorldScene& scene, const RobotBase& base, std::uint64_t tick, double dt,
             PartTimes& times);
   Depth measureDepth();

@@ -5,9 +5,11 @@
 
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <functional>
 
 #include "sim/random_world.hpp"
+#include "sim/world_file.hpp"
 #include "test/sim_worlds.hpp"
 
 namespace pilothouse::sim {
@@ -179,7 +181,9 @@ TEST(Simulation, FailsItsSensorsOnDemand) {
     }
     return counts;
   };
+  EXPECT_TRUE(simulation.sensors().failing(simulation.time()).empty());
   simulation.fail("camera", FaultKind::kDrop, 0.0, 1.0);
+  EXPECT_EQ(simulation.sensors().failing(simulation.time()), std::vector<std::string>{"camera"});
   EXPECT_EQ(count(100), (std::array<int, 3>{1, 50, 20})) << "the fault ends at its last tick";
   EXPECT_EQ(count(100)[0], 30);
   simulation.fail("all", FaultKind::kDrop, 0.0, 0.0);
@@ -194,6 +198,23 @@ TEST(Simulation, FailsItsSensorsOnDemand) {
     const double sum = pose.x + pose.y + pose.heading + twist.vx + twist.vy + twist.w;
     ASSERT_FALSE(std::abs(sum) < 1e6);
   }
+}
+
+TEST(Simulation, StartsInTheClearInEveryWorldOfMaps) {
+  SimulationParameters parameters = small(1);
+  parameters.sensors.depth_rate = parameters.sensors.colour_rate = 0.0;
+  int worlds = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(PILOTHOUSE_SOURCE "/maps")) {
+    if (entry.path().extension() != ".sdf") continue;
+    const auto loaded = loadWorld(entry.path().string());
+    ASSERT_TRUE(loaded) << loaded.reason();
+    Simulation simulation(loaded->world, testRobot(), parameters);
+    EXPECT_GT(simulation.freeDistance().distance, 0.1) << entry.path();
+    EXPECT_FALSE(simulation.base().dropped()) << entry.path();
+    EXPECT_NEAR(simulation.base().T_world_base().translation().z(), 0.0, 0.05) << entry.path();
+    ++worlds;
+  }
+  EXPECT_GE(worlds, 8);
 }
 
 // Driven at random by somebody blind, it bumps into much and goes through nothing.
