@@ -111,6 +111,7 @@ void DriveLoop::control() {
   if (held) {
     executor.hold = last.limit.remembered ? Hold::kRemembered : Hold::kSeen;
     executor.reason = "held";
+    if (last.limit.position.allFinite()) executor.held_by = last.limit.position;
   }
   step_.executor = executor_.step(executor);
   step_.wanted = direct_ ? *direct_ : step_.executor.wanted;

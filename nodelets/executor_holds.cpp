@@ -34,6 +34,11 @@ void ExecutorHolds::take(const SpeedLimit& limit, double arrival) {
   held_ = limit.wanted > kNothing && !(limit.limit > kNothing);
   remembered_ = held_ && limit.sensor == "memory";
   if (held_) limit_text_ = "held: " + textOf(limit);
+  place_.reset();
+  if (held_ && std::isfinite(limit.position.x) && std::isfinite(limit.position.y)) {
+    place_ = Eigen::Vector2d(static_cast<double>(limit.position.x),
+                             static_cast<double>(limit.position.y));
+  }
 }
 
 void ExecutorHolds::take(const StopState& state, double arrival) {

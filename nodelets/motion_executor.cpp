@@ -133,6 +133,7 @@ class MotionExecutorNodelet : public nodelet::Nodelet {
     if (!executor_->idle()) {
       const auto pose = poseIn(frame_, fault);
       input.hold = holds_.at(steadyNow(), input.reason);
+      input.held_by = holds_.place();
       if (pose) {
         input.pose = *pose;
         output = executor_->step(input);

@@ -9,7 +9,8 @@
 namespace pilothouse::sim {
 namespace {
 
-constexpr double kElbows = 0.05;  ///< on both sides of an actor, room that they want [m]
+constexpr double kElbows = 0.05;   ///< on both sides of an actor, room that they want [m]
+constexpr double kPatience = 3.0;  ///< who has waited so long turns round [s]
 
 double radiusOf(const Model& model) {
   double radius = 0.0;
@@ -35,9 +36,31 @@ Actors::Actors(const World& world) {
 void Actors::step(WorldScene& scene, const Footprint& footprint, const Pose2& robot, double dt) {
   for (Actor& actor : actors_) {
     if (!actor.walks) continue;
-    if (actor.model->courtesy > 0.0 && robotAhead(actor, footprint, robot, dt)) continue;
-    actor.clock += dt;
-    scene.place(actor.number, actorPose(*actor.model, poseAt(*actor.model->path, actor.clock)));
+    if (actor.model->courtesy > 0.0 && robotAhead(actor, footprint, robot, dt)) {
+      actor.waited += dt;
+      if (actor.waited < kPatience) continue;
+      actor.waited = 0.0;
+      actor.sense = -actor.sense;
+      continue;
+    }
+    actor.waited = 0.0;
+    walk(actor, dt);
+    Pose2 pose = poseAt(*actor.model->path, actor.clock);
+    if (actor.sense < 0.0) pose.heading = wrapped(pose.heading + M_PI);
+    scene.place(actor.number, actorPose(*actor.model, pose));
+  }
+}
+
+void Actors::walk(Actor& actor, double dt) {
+  const ActorPath& path = *actor.model->path;
+  const double first = path.points.front().time, last = path.points.back().time;
+  actor.clock += actor.sense * dt;
+  if (actor.clock >= first) return;
+  if (path.loop && last > first) {
+    actor.clock += last - first;
+  } else {
+    actor.clock = first;
+    actor.sense = 1.0;
   }
 }
 
@@ -51,7 +74,7 @@ void Actors::release(std::size_t model) {
 bool Actors::robotAhead(const Actor& actor, const Footprint& footprint, const Pose2& robot,
                         double dt) {
   const Pose2 now = poseAt(*actor.model->path, actor.clock);
-  const Pose2 next = poseAt(*actor.model->path, actor.clock + dt);
+  const Pose2 next = poseAt(*actor.model->path, actor.clock + actor.sense * dt);
   const Eigen::Vector2d way = next.position() - now.position();
   if (way.norm() < 1e-6) return false;
   const Eigen::Vector2d along = way.normalized(), across(-along.y(), along.x());

@@ -8,7 +8,7 @@
 namespace pilothouse::sim {
 
 /// Everybody in a world who follows a path. Each has a clock of their own, which stands while the
-/// robot is in the way of somebody courteous.
+/// robot is in the way of somebody courteous, who after a while turns round and walks back.
 class Actors {
  public:
   explicit Actors(const World& world);
@@ -25,8 +25,11 @@ class Actors {
     const Model* model;
     double radius;  ///< of the circle round its solid parts [m]
     double clock = 0.0;
+    double sense = 1.0;   ///< -1: walks back
+    double waited = 0.0;  ///< for the robot [s]
     bool walks = true;
   };
+  static void walk(Actor& actor, double dt);
   static bool robotAhead(const Actor& actor, const Footprint& footprint, const Pose2& robot,
                          double dt);
 

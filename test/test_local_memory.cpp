@@ -152,7 +152,7 @@ TEST(LocalMemory, KnowsWhereItLooked) {
   EXPECT_TRUE(memory.looked({0.1, 0.1}, 0.1)) << "it stood there";
   EXPECT_FALSE(memory.looked({-1.0, 0.0}, 0.1));
   EXPECT_FALSE(memory.looked({0.5, 0.0}, 0.1)) << "nearer than the camera sees";
-  EXPECT_FALSE(memory.looked({1.5, 0.5}, 100.0)) << "too long ago";
+  EXPECT_FALSE(memory.looked({1.5, 0.5}, 1000.0)) << "too long ago";
 }
 
 TEST(LocalMemory, IsBoundedHoweverFarTheRobotDrives) {

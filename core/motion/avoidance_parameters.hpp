@@ -15,7 +15,7 @@ struct AvoidanceParameters {
   double beside_speed = 0.10;     ///< potential obstacles never slow the robot below [m/s], 0.01..2
   double threshold_speed = 0.15;  ///< over thresholds [m/s], 0.01..5
   double unseen_speed = 0.15;     ///< where nothing has looked; 0: never go there [m/s], 0..5
-  double memory = 60.0;           ///< what left the view is remembered for [s], 0..3600
+  double memory = 600.0;          ///< what left the view is remembered for [s], 0..3600
   // ---- advanced
   double latency = 0.15;         ///< from the world to the wheels, for the braking bound [s], 0..2
   double turn_clearance = 0.03;  ///< stop distance when turning in place [m], 0..2

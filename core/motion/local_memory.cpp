@@ -12,6 +12,7 @@ using Eigen::Vector2d;
 constexpr std::int32_t kAcross = 200;  // cells of the window
 constexpr double kCell = 0.05;         // [m]
 constexpr double kShrink = 0.03;       // what is so far within the outline cannot be there [m]
+constexpr float kArrivedStay = 10.0F;  // [s]
 constexpr std::uint8_t kMostLooks = 8;
 constexpr unsigned kFreeLooks = 2;  // looks in a row that clear an object
 
@@ -246,12 +247,18 @@ void LocalMemory::collect(const Pose2& pose, double now, std::vector<Obstacle>& 
     const bool live = cell.frame == frame_ && (cell.history & 1U) != 0;
     const bool threshold_live = cell.frame == frame_ && cell.kind == CellClass::kThreshold;
     const bool remembered = !live && !threshold_live;
-    if (remembered && time - cell.hit > static_cast<float>(parameters_.memory)) continue;
     const Vector2d at_odom(centreOf(cell.ix) + static_cast<double>(cell.dx),
                            centreOf(cell.iy) + static_cast<double>(cell.dy));
     // A cell that the window has left behind may still lie in the ring.
     if (std::abs(at_odom.x() - pose.x) > half || std::abs(at_odom.y() - pose.y) > half) continue;
     const Vector2d p = pose.toBase(at_odom);
+    // Who came while the camera watched goes again, mostly: farther off they are seen again anyway
+    // before the robot is there.
+    const bool gone = remembered && cell.arrived && time - cell.hit > kArrivedStay;
+    // However old, what is near is not forgotten: the camera cannot see there, so only driving off
+    // or looking again can tell.
+    const bool old = remembered && time - cell.hit > static_cast<float>(parameters_.memory);
+    if ((old || gone) && footprint_.distanceTo(p) > parameters_.near_distance) continue;
     if (!counts(cell, p)) continue;
     Obstacle object;
     object.position = p.cast<float>();

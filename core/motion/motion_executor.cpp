@@ -19,7 +19,9 @@ constexpr double kAtStop = 0.01;     // so near a stop it has arrived [m]
 constexpr double kTrailStep = 0.02;  // [m]
 constexpr std::size_t kTrail = 60;
 constexpr double kPullAhead = 0.12;    // going back it aims so far along the trail [m]
-constexpr double kLookTime = 1.5;      // it stands so long to look [s]
+constexpr double kLookTime = 1.0;      // it stands so long to look [s]
+constexpr double kLooksAt = 0.1;       // so near the camera's middle is well seen [rad]
+constexpr double kLongestTurn = 6.0;   // [s]
 constexpr double kLongestBack = 10.0;  // [s]
 constexpr double kForgetLooks = 0.5;   // got on so far since the last look: a new case [m]
 constexpr int kApproaches = 5;
@@ -171,6 +173,7 @@ Twist2 MotionExecutor::goBack(const ExecutorInput& input) {
   const bool far = (place - back_from_).norm() >= parameters_.back_distance;
   if (far || trail_.empty() || input.now - phase_since_ > kLongestBack) {
     enter(Phase::kLook, input.now);
+    turned_since_ = input.now;
     return {};
   }
   const Vector2d aim = input.pose.toBase(trail_.back());
@@ -182,6 +185,18 @@ Twist2 MotionExecutor::goBack(const ExecutorInput& input) {
   // What lies beside cannot be backed to: it had turned in place.
   const double w = std::abs(off) < 0.7 ? parameters_.back_speed * 2.0 * off / kPullAhead : 0.0;
   return {-parameters_.back_speed, 0.0, std::clamp(w, -0.5, 0.5)};
+}
+
+/// Turns to what it remembers, so that it comes before the camera, and stands a while.
+Twist2 MotionExecutor::look(const ExecutorInput& input) {
+  const Vector2d seen = look_at_ ? input.pose.toBase(*look_at_) : Vector2d(1.0, 0.0);
+  const double bearing = std::atan2(seen.y(), seen.x());
+  if (std::abs(bearing) > kLooksAt && input.now - phase_since_ < kLongestTurn) {
+    turned_since_ = input.now;
+    return tracker_.turnTo(wrapped(input.pose.heading + bearing), input.pose);
+  }
+  if (input.now - turned_since_ > kLookTime) enter(Phase::kFollow, input.now);
+  return {};
 }
 
 /// Held for long by what is only remembered, it goes back to look whether that is still there.
@@ -201,6 +216,8 @@ void MotionExecutor::noticeHold(const ExecutorInput& input, ExecutorOutput& outp
   ++looked_;
   looked_at_ = way_;
   back_from_ = input.pose.position();
+  look_at_.reset();
+  if (input.held_by) look_at_ = input.pose * *input.held_by;
   enter(Phase::kBack, input.now);
 }
 
@@ -228,7 +245,7 @@ ExecutorOutput MotionExecutor::step(const ExecutorInput& input) {
       break;
     case Phase::kLook:
       output.text = "looks again";
-      if (input.now - phase_since_ > kLookTime) enter(Phase::kFollow, input.now);
+      output.wanted = look(input);
       break;
     case Phase::kReached:
       break;

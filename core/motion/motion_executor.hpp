@@ -57,7 +57,8 @@ struct ExecutorInput {
   double now = 0.0;  ///< [s], rising
   Pose2 pose;        ///< newest, in the route's frame
   Hold hold = Hold::kNone;
-  std::string reason;  ///< of the hold, in words
+  std::string reason;                      ///< of the hold, in words
+  std::optional<Eigen::Vector2d> held_by;  ///< where that is, base frame [m]
 };
 
 /// As in the message RouteState, without its refusals.
@@ -98,6 +99,7 @@ class MotionExecutor {
   Twist2 follow(const Pose2& pose);
   Twist2 settle(const Pose2& pose);
   Twist2 goBack(const ExecutorInput& input);
+  Twist2 look(const ExecutorInput& input);
   void enter(Phase phase, double now);
 
   ExecutorParameters parameters_;
@@ -120,6 +122,8 @@ class MotionExecutor {
   int looked_ = 0;
   double looked_at_ = 0.0;  ///< way of the last look [m]
   Eigen::Vector2d back_from_{0.0, 0.0};
+  std::optional<Eigen::Vector2d> look_at_;  ///< what is to be seen again, the route's frame
+  double turned_since_ = 0.0;
   int approaches_ = 0;  ///< tries to come nearer to the end
 };
 

@@ -10,7 +10,8 @@ using Eigen::Vector2d;
 
 constexpr double kTurn = 6.283185307179586;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-constexpr double kStraight = 1e-3;       // turning less than this [rad/m] is straight
+constexpr double kStraight = 1e-3;  // turning less than this [rad/m] is straight
+constexpr double kMostTurn = 1.2;   // an arc is followed no farther [rad]: nobody drives circles
 constexpr double kAtLeastBeside = 0.03;  // margin when turning in place [m]
 constexpr double kOnEdge = 1e-9;         // [m]
 
@@ -75,6 +76,7 @@ void SweptPath::layOutLine() {
 
 void SweptPath::layOutTurn() {
   centre_ = Vector2d(-unit_.vy, unit_.vx) / unit_.w;
+  look_ahead_ = std::min(look_ahead_, kMostTurn / std::abs(unit_.w));
   farthest_ = footprint_.farthestFrom(centre_);
   nearest_ = std::max(0.0, footprint_.distanceTo(centre_));
   const double sense = unit_.w > 0.0 ? 1.0 : -1.0;
@@ -132,7 +134,7 @@ SweptPath::Contact SweptPath::meetStraight(const Vector2d& point, double radius)
 }
 
 SweptPath::Contact SweptPath::contact(double distance, double speed) const {
-  if (distance > look_ahead_ * std::max(speed, 0.1)) return {};
+  if (distance > look_ahead_ * speed) return {};
   return {Relevance::kInTheWay, distance, speed};
 }
 

@@ -33,7 +33,8 @@ class SweptPath {
  public:
   /// @param twist only its shape matters; zero: nothing is ever touched.
   /// @param margin beside the swept area that makes a potential obstacle [m].
-  /// @param look_ahead the path is followed so far [m], and at most one turn.
+  /// @param look_ahead the path is followed so far [m], and an arc for 1.2 rad at most: farther on
+  ///   nobody means to hold it.
   SweptPath(const Footprint& footprint, const Twist2& twist, double margin, double look_ahead);
 
   struct Contact {
