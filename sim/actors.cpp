@@ -9,8 +9,9 @@
 namespace pilothouse::sim {
 namespace {
 
-constexpr double kElbows = 0.05;   ///< on both sides of an actor, room that they want [m]
-constexpr double kPatience = 3.0;  ///< who has waited so long turns round [s]
+constexpr double kElbows = 0.05;    ///< on both sides of an actor, room that they want [m]
+constexpr double kForesight = 1.5;  ///< nobody steps where the robot will be by then [s]
+constexpr double kPatience = 3.0;   ///< who has waited so long turns round [s]
 
 double radiusOf(const Model& model) {
   double radius = 0.0;
@@ -33,10 +34,10 @@ Actors::Actors(const World& world) {
   }
 }
 
-void Actors::step(WorldScene& scene, const Footprint& footprint, const Pose2& robot, double dt) {
+void Actors::step(WorldScene& scene, const Robot& robot, double dt) {
   for (Actor& actor : actors_) {
     if (!actor.walks) continue;
-    if (actor.model->courtesy > 0.0 && robotAhead(actor, footprint, robot, dt)) {
+    if (actor.model->courtesy > 0.0 && robotAhead(actor, robot, dt)) {
       actor.waited += dt;
       if (actor.waited < kPatience) continue;
       actor.waited = 0.0;
@@ -70,9 +71,8 @@ void Actors::release(std::size_t model) {
   }
 }
 
-/// Whether the robot reaches into the strip that the actor is about to walk over.
-bool Actors::robotAhead(const Actor& actor, const Footprint& footprint, const Pose2& robot,
-                        double dt) {
+/// Whether the robot reaches into the strip that the actor is about to walk over, now or soon.
+bool Actors::robotAhead(const Actor& actor, const Robot& robot, double dt) {
   const Pose2 now = poseAt(*actor.model->path, actor.clock);
   const Pose2 next = poseAt(*actor.model->path, actor.clock + actor.sense * dt);
   const Eigen::Vector2d way = next.position() - now.position();
@@ -83,7 +83,11 @@ bool Actors::robotAhead(const Actor& actor, const Footprint& footprint, const Po
   Slice strip;
   strip.count = 4;
   strip.corners = {now.position() - side, end - side, end + side, now.position() + side};
-  return separation(footprint, robot, strip) <= 0.0;
+  for (double ahead = 0.0; ahead <= kForesight; ahead += 0.25) {
+    const Pose2 pose = advanced(robot.pose, robot.twist, ahead);
+    if (separation(robot.footprint, pose, strip) <= 0.0) return true;
+  }
+  return false;
 }
 
 }  // namespace pilothouse::sim

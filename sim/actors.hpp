@@ -11,11 +11,17 @@ namespace pilothouse::sim {
 /// robot is in the way of somebody courteous, who after a while turns round and walks back.
 class Actors {
  public:
+  struct Robot {
+    const Footprint& footprint;
+    Pose2 pose;    ///< world
+    Twist2 twist;  ///< base frame
+  };
+
   explicit Actors(const World& world);
 
   /// Moves them on by `dt` [s]; the scene sees it after its commit().
-  /// @param robot pose of the footprint, world.
-  void step(WorldScene& scene, const Footprint& footprint, const Pose2& robot, double dt);
+  /// @param robot how it stands and moves: people do not step right before it either.
+  void step(WorldScene& scene, const Robot& robot, double dt);
   /// From now on the model stands where it was put. No effect on one that is no actor.
   void release(std::size_t model);
 
@@ -30,8 +36,7 @@ class Actors {
     bool walks = true;
   };
   static void walk(Actor& actor, double dt);
-  static bool robotAhead(const Actor& actor, const Footprint& footprint, const Pose2& robot,
-                         double dt);
+  static bool robotAhead(const Actor& actor, const Robot& robot, double dt);
 
   std::vector<Actor> actors_;
 };

@@ -21,7 +21,7 @@ const Readings& Simulation::step() {
   const double now = time();
   const std::size_t contacts = base_.contacts().size();
   times_.measure(PartTimes::kActors, [&] {
-    actors_.step(scene_, base_.robot().footprint, base_.pose(), kTick);
+    actors_.step(scene_, {base_.robot().footprint, base_.pose(), base_.twist()}, kTick);
     scene_.commit();
   });
   times_.measure(PartTimes::kBase, [&] { base_.step(scene_, now, kTick); });

@@ -216,7 +216,8 @@ TEST(RobotBase, TellsWhoRanIntoWhom) {
   Drive drive(world);
   Actors actors(world);
   for (int i = 0; i < 600; ++i) {
-    actors.step(drive.scene, drive.base.robot().footprint, drive.base.pose(), kTick);
+    actors.step(drive.scene, {drive.base.robot().footprint, drive.base.pose(), drive.base.twist()},
+                kTick);
     drive.scene.commit();
     drive.step();
   }
@@ -232,16 +233,34 @@ TEST(Actors, HaltForTheRobotWhenCourteous) {
   world.models.back().courtesy = 0.5;
   Drive drive(world);
   Actors actors(world);
-  for (int i = 0; i < 600; ++i) {
-    actors.step(drive.scene, drive.base.robot().footprint, drive.base.pose(), kTick);
+  for (int i = 0; i < 400; ++i) {
+    actors.step(drive.scene, {drive.base.robot().footprint, drive.base.pose(), drive.base.twist()},
+                kTick);
   }
   const double gap = drive.scene.pose(1).translation().x() - 0.25;
   EXPECT_GT(gap, 0.5);
   EXPECT_LT(gap, 0.8);
   for (int i = 0; i < 600; ++i) {
-    actors.step(drive.scene, drive.base.robot().footprint, {0.0, 3.0, 0.0}, kTick);
+    actors.step(drive.scene, {drive.base.robot().footprint, {0.0, 3.0, 0.0}, {}}, kTick);
   }
   EXPECT_NEAR(drive.scene.pose(1).translation().x(), -2.0, 1e-6) << "and go on when it is gone";
+}
+
+TEST(Actors, TurnRoundWhenTheyHaveWaitedLong) {
+  World world = flatWorld();
+  add(world, "walker", boxMesh({0.3F, 0.3F, 1.7F}), at(3.0, 0.0));
+  world.models.back().path = ActorPath{{{0.0, {3.0, 0.0, 0.0}}, {5.0, {-2.0, 0.0, 0.0}}}, false};
+  world.models.back().courtesy = 0.5;
+  Drive drive(world);
+  Actors actors(world);
+  double farthest_back = 0.0;
+  for (int i = 0; i < 1000; ++i) {
+    actors.step(drive.scene, {drive.base.robot().footprint, drive.base.pose(), drive.base.twist()},
+                kTick);
+    if (i > 400) farthest_back = std::max(farthest_back, drive.scene.pose(1).translation().x());
+    EXPECT_GT(drive.scene.pose(1).translation().x() - 0.25, 0.5);
+  }
+  EXPECT_GT(farthest_back, 2.0);
 }
 
 TEST(Surroundings, MeasureTheFreeWay) {
