@@ -119,9 +119,8 @@ sensor_msgs::ImuPtr toMessage(const sim::ImuReading& reading, const sim::ImuNois
   return imu;
 }
 
-sensor_msgs::JointStatePtr toMessage(const sim::JointReading& reading,
-                                     const Kinematics& kinematics, double wheel_radius,
-                                     const std_msgs::Header& header) {
+sensor_msgs::JointStatePtr toMessage(const sim::JointReading& reading, const Kinematics& kinematics,
+                                     double wheel_radius, const std_msgs::Header& header) {
   const auto joints = boost::make_shared<sensor_msgs::JointState>();
   joints->header = header;
   for (std::size_t i = 0; i < kinematics.wheels().size(); ++i) {

@@ -27,9 +27,8 @@ nav_msgs::OdometryPtr truthOf(const sim::RobotBase& base, const std_msgs::Header
                               const std::string& child);
 sensor_msgs::ImuPtr toMessage(const sim::ImuReading& reading, const sim::ImuNoise& noise,
                               const std_msgs::Header& header);
-sensor_msgs::JointStatePtr toMessage(const sim::JointReading& reading,
-                                     const Kinematics& kinematics, double wheel_radius,
-                                     const std_msgs::Header& header);
+sensor_msgs::JointStatePtr toMessage(const sim::JointReading& reading, const Kinematics& kinematics,
+                                     double wheel_radius, const std_msgs::Header& header);
 sensor_msgs::RangePtr toMessage(double range, const sim::SimRanger& ranger,
                                 const std_msgs::Header& header);
 ContactsPtr contactsOf(const sim::Simulation& simulation, const std_msgs::Header& header);
