@@ -1,6 +1,7 @@
 #include "gui/view/drive_bar_parts.hpp"
 
 #include <QPainter>
+#include <cmath>
 
 #include "gui/view/theme.hpp"
 
@@ -107,10 +108,15 @@ void KeyLights::paintEvent(QPaintEvent*) {
   const QRectF words(3 * (side + gap) + 8, top, width() - 3 * (side + gap) - 8, 2 * side + gap);
   painter.setPen(on ? theme::kAccent : theme::kMuted);
   painter.drawText(words, Qt::AlignLeft | Qt::AlignTop, on ? tr("driving") : tr("keys"));
+  const Twist2& command = view_.command;
+  QString speed = tr("%1 m/s").arg(command.linear(), 0, 'f', 2);
+  if (command.linear() < 0.005) {
+    speed = tr("%1 deg/s").arg(std::abs(command.w) * 57.29578, 0, 'f', 0);
+  }
   painter.drawText(words, Qt::AlignLeft | Qt::AlignBottom,
                    !on          ? tr("at rest")
                    : view_.slow ? tr("slowly")
-                                : tr("%1 m/s").arg(view_.command.linear(), 0, 'f', 2));
+                                : speed);
 }
 
 }  // namespace pilothouse::gui

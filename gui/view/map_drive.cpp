@@ -1,6 +1,7 @@
 #include "gui/view/map_drive.hpp"
 
 #include <QPainterPath>
+#include <algorithm>
 #include <cmath>
 
 #include "gui/model/class_colours.hpp"
@@ -136,7 +137,11 @@ void paintRangers(QPainter& painter, const MapView& view, const std::vector<Rang
 void paintWay(QPainter& painter, const MapView& view, const Footprint& footprint,
               const DriveOverlay& drive) {
   if (!drive.wish) return;
-  const SweptOutline swept = sweptOutline(footprint, *drive.wish, drive.look_ahead);
+  // As far as the way is free.
+  const double free = drive.limit.obstacle_distance;
+  const double way =
+      std::isfinite(free) ? std::clamp(free, 0.02, drive.look_ahead) : drive.look_ahead;
+  const SweptOutline swept = sweptOutline(footprint, *drive.wish, way);
   if (swept.outlines.empty()) return;
   painter.setRenderHint(QPainter::Antialiasing);
   QPainterPath area;
@@ -163,7 +168,10 @@ void paintWay(QPainter& painter, const MapView& view, const Footprint& footprint
 
 void paintCause(QPainter& painter, const MapView& view, const DriveOverlay& drive) {
   const LimitReading& limit = drive.limit;
-  if (!drive.limits || !std::isfinite(limit.x) || !std::isfinite(limit.y)) return;
+  const bool thing = limit.cause == LimitCause::kObstacle ||
+                     limit.cause == LimitCause::kPotential || limit.cause == LimitCause::kBraking ||
+                     limit.cause == LimitCause::kThreshold;
+  if (!drive.limits || !thing || !std::isfinite(limit.x) || !std::isfinite(limit.y)) return;
   const QPointF at = view.toPixel(limit.x, limit.y);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setBrush(Qt::NoBrush);

@@ -79,7 +79,7 @@ void Plot::chooseScale() {
   if (free_scale_) return;
   double most = least_top_;
   for (const auto& series : series_) {
-    if (!series.shown) continue;
+    if (!series.shown || !series.scales) continue;
     for (const auto& point : series.points) {
       if (point.value > most) most = point.value;
     }
@@ -104,10 +104,10 @@ std::vector<Plot::Chip> Plot::chips() const {
       x = kLeftRoom;
       y += kLegendRow;
     }
-    double newest = series_[i].newest;
-    if (std::abs(newest) < 0.005) newest = 0.0;  // never "-0.00"
+    double value = time_.cursor ? series_[i].under_cursor : series_[i].newest;
+    if (std::abs(value) < 0.005) value = 0.0;  // never "-0.00"
     out.push_back({QRectF(x, y, wide, kLegendRow - 2.0), i,
-                   std::isfinite(newest) ? QString::number(newest, 'f', 2) : QString("-")});
+                   std::isfinite(value) ? QString::number(value, 'f', 2) : QString("-")});
     x += wide + 8.0;
   }
   return out;
@@ -129,11 +129,12 @@ const RuleChange* Plot::ruleAt(double t) const {
   return found;
 }
 
-QString Plot::readoutText() const {
+QString Plot::readoutText(bool with_values) const {
   if (!time_.cursor || !inside_) return {};
   QStringList words;
   words << tr("%1 s").arg(*time_.cursor - time_.now, 0, 'f', 2);
   for (const auto& series : series_) {
+    if (!with_values) break;
     if (!series.shown || !std::isfinite(series.under_cursor)) continue;
     words << tr("%1 %2 %3").arg(series.name).arg(series.under_cursor, 0, 'f', 3).arg(unit_);
   }

@@ -31,6 +31,7 @@ struct Series {
   double width = 1.6;  ///< px
   Qt::PenStyle style = Qt::SolidLine;
   bool shown = true;
+  bool scales = true;              ///< the height of the graph follows it
   std::vector<CurvePoint> points;  ///< of the stretch shown
   double newest = kUnknown;        ///< value now
   double under_cursor = kUnknown;
@@ -68,8 +69,8 @@ class Plot : public QWidget {
   QRectF field() const;
   QPointF toPixel(double t, double value) const;
   double timeAt(double x) const;
-  /// What the cursor shows; empty when it is elsewhere.
-  QString readoutText() const;
+  /// What the cursor shows; empty when it is elsewhere. @param with_values of the curves too.
+  QString readoutText(bool with_values = true) const;
   /// Of an entry of the legend; empty: there is none of this name.
   QRectF legendBox(const QString& name) const;
 

@@ -215,11 +215,18 @@ void Plot::paintCursor(QPainter& painter, const QRectF& field) const {
     painter.setBrush(series.colour);
     painter.drawEllipse(QPointF(x, at.y()), 3.5, 3.5);
   }
-  const QString text = readoutText();
+  QString text = readoutText();
   if (text.isEmpty()) return;
   painter.setFont(theme::smallFont());
-  QRectF box =
-      painter.boundingRect(QRectF(0, 0, 320, 400), Qt::TextWordWrap, text).adjusted(-8, -5, 8, 5);
+  const auto boxOf = [&] {
+    return painter.boundingRect(QRectF(0, 0, 320, 400), Qt::TextWordWrap, text)
+        .adjusted(-8, -5, 8, 5);
+  };
+  QRectF box = boxOf();
+  if (box.height() > field.height() - 8) {  // the legend tells the values as well
+    text = readoutText(false);
+    box = boxOf();
+  }
   box.moveTop(field.top() + 4);
   // On the roomier side of the cursor.
   if (x < field.center().x()) {

@@ -89,7 +89,9 @@ class GraphsPanel : public Panel {
 
  private:
   void makeSeries() {
-    speed_->seriesOf(tr("limit"), kLimit, 1.4).style = Qt::DashLine;
+    auto& limit = speed_->seriesOf(tr("limit"), kLimit, 1.4);
+    limit.style = Qt::DashLine;
+    limit.scales = false;  // far from anything it is high above all speeds
     speed_->seriesOf(tr("wanted"), kWanted, 1.4);
     speed_->seriesOf(tr("limited"), kLimited, 2.2);
     speed_->seriesOf(tr("measured"), kMeasured, 2.2);
