@@ -1,6 +1,7 @@
 #include "sim/camera_rays.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -11,7 +12,7 @@ namespace pilothouse::sim {
 namespace {
 
 constexpr float kFarthest = 200.0F;  // nothing is drawn beyond [m]
-constexpr float kNear = 0.02F;       // what comes nearer may cover the whole picture [m]
+constexpr double kNear = 0.02;       // what is nearer or behind is cut off [m]
 
 // Embree's packets by their size.
 template <int kRays>
@@ -56,19 +57,25 @@ CameraRays::CameraRays(const CameraModel& camera, std::vector<Eigen::AlignedBox3
 CameraRays::PixelBox CameraRays::pixelsOf(const Eigen::AlignedBox3f& bounds) const {
   const int width = static_cast<int>(camera_.width), height = static_cast<int>(camera_.height);
   const Intrinsics& k = camera_.intrinsics;
-  Eigen::AlignedBox2d pixels;
-  int behind = 0;
-  for (int i = 0; i < 8; ++i) {
+  std::array<Eigen::Vector3d, 8> corners;
+  for (std::size_t i = 0; i < 8; ++i) {
     const auto corner = bounds.corner(static_cast<Eigen::AlignedBox3f::CornerType>(i));
-    const Eigen::Vector3d p = (R_world_optical_.transpose() * (corner - eye_)).cast<double>();
-    if (p.z() < static_cast<double>(kNear)) {
-      ++behind;
-      continue;
-    }
-    pixels.extend(Eigen::Vector2d(k.cx + k.fx * p.x() / p.z(), k.cy + k.fy * p.y() / p.z()));
+    corners[i] = (R_world_optical_.transpose() * (corner - eye_)).cast<double>();
   }
-  if (behind == 8) return {0, 0, 0, 0};
-  if (behind > 0) return {0, 0, width, height};
+  Eigen::AlignedBox2d pixels;
+  const auto extend = [&](const Eigen::Vector3d& p) {
+    pixels.extend(Eigen::Vector2d(k.cx + k.fx * p.x() / p.z(), k.cy + k.fy * p.y() / p.z()));
+  };
+  for (std::size_t i = 0; i < 8; ++i) {
+    const Eigen::Vector3d& a = corners[i];
+    if (a.z() >= kNear) extend(a);
+    // Corners whose numbers differ in one bit share an edge: where it comes from behind.
+    for (std::size_t bit = 1; bit < 8; bit *= 2) {
+      const Eigen::Vector3d& b = corners[i ^ bit];
+      if (a.z() >= kNear && b.z() < kNear) extend(a + (kNear - a.z()) / (b.z() - a.z()) * (b - a));
+    }
+  }
+  if (pixels.isEmpty()) return {0, 0, 0, 0};
   const auto clamped = [](double value, int limit) {
     return static_cast<int>(std::clamp(value, 0.0, static_cast<double>(limit)));
   };
@@ -96,9 +103,16 @@ void CameraRays::findBoxes(const WorldScene& scene) {
   for (const WorldScene::Piece& piece : scene.pieces_) {
     first_triangle_.push_back(count);
     count += static_cast<std::uint32_t>(piece.triangles.size());
-    const bool moved = scene.embree_->mover_of[piece.model] >= 0;
-    if (moved && (piece.kinds & kCameraRay)) moving_.push_back(pixelsOf(piece.bounds));
-    if (piece.kinds & kGlassRay) glass_.push_back(pixelsOf(piece.bounds));
+  }
+  for (std::size_t m = 0; m < scene.modelCount(); ++m) {
+    Eigen::AlignedBox3f opaque, glass;
+    for (std::size_t i = scene.first_piece_[m]; i < scene.first_piece_[m + 1]; ++i) {
+      const WorldScene::Piece& piece = scene.pieces_[i];
+      if (piece.kinds & kCameraRay) opaque.extend(piece.bounds);
+      if (piece.kinds & kGlassRay) glass.extend(piece.bounds);
+    }
+    if (scene.embree_->mover_of[m] >= 0 && !opaque.isEmpty()) moving_.push_back(pixelsOf(opaque));
+    if (!glass.isEmpty()) glass_.push_back(pixelsOf(glass));
   }
   for (const auto& box : sunlight_) sunlit_.push_back(pixelsOf(box));
 }

@@ -2,20 +2,41 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace pilothouse::sim {
 namespace {
 
 constexpr float kSmoothed = 0.7F;  // cosine up to which neighbouring triangles look round
+constexpr std::size_t kMostAround = 64;
 constexpr float kSunshine = 1.35F;
-constexpr std::uint8_t kSky[3] = {203, 216, 228};
-constexpr float kGlass[3] = {196.0F, 224.0F, 228.0F};
+constexpr float kPlaceUnit = 1.0F / 65535.0F;
+
+// Four floats at a time, of which three are used: every processor we know does that at once.
+using Pixel = float __attribute__((vector_size(16)));
+using Whole = std::int32_t __attribute__((vector_size(16)));
+constexpr Pixel kSky = {203.0F, 216.0F, 228.0F, 0.0F};
+constexpr Pixel kGlass = {196.0F, 224.0F, 228.0F, 0.0F};
 constexpr float kGlassShare = 0.22F;
+
+inline Pixel fromBytes(std::uint32_t texel) {
+  const auto channel = [&](unsigned int shift) {
+    return static_cast<std::int32_t>((texel >> shift) & 255U);
+  };
+  return __builtin_convertvector((Whole{channel(0), channel(8), channel(16), 0}), Pixel);
+}
+
+inline void store(Pixel pixel, std::uint8_t* rgb) {
+  const Pixel most = {255.0F, 255.0F, 255.0F, 255.0F};
+  const Whole bytes = __builtin_convertvector(pixel < most ? pixel : most, Whole);
+  rgb[0] = static_cast<std::uint8_t>(bytes[0]);
+  rgb[1] = static_cast<std::uint8_t>(bytes[1]);
+  rgb[2] = static_cast<std::uint8_t>(bytes[2]);
+}
 
 float brightness(const Eigen::Vector3f& normal) {
   static const Eigen::Vector3f lamp = Eigen::Vector3f(0.35F, -0.55F, 0.75F).normalized();
-  return 0.72F + 0.08F * normal.z() + 0.06F * normal.x() +
-         0.22F * std::max(0.0F, normal.dot(lamp));
+  return 0.72F + 0.08F * normal.z() + 0.06F * normal.x() + 0.22F * std::max(0.0F, normal.dot(lamp));
 }
 
 std::vector<Eigen::Vector3f> cornerNormals(const Mesh& mesh) {
@@ -30,17 +51,15 @@ std::vector<Eigen::Vector3f> cornerNormals(const Mesh& mesh) {
   std::vector<Eigen::Vector3f> normals;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     for (const std::uint32_t vertex : mesh.triangles[i]) {
-      Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+      Eigen::Vector3f sum = flat[i];
+      if (around[vertex].size() > kMostAround) around[vertex].clear();  // a hub, not a bend
       for (const std::uint32_t other : around[vertex])
-        if (flat[other].normalized().dot(flat[i].normalized()) > kSmoothed) sum += flat[other];
+        if (other != i && flat[other].normalized().dot(flat[i].normalized()) > kSmoothed)
+          sum += flat[other];
       normals.push_back(sum.squaredNorm() > 0.0F ? sum.normalized() : Eigen::Vector3f::UnitZ());
     }
   }
   return normals;
-}
-
-std::uint8_t byte(float value) {
-  return static_cast<std::uint8_t>(std::min(value, 255.0F));
 }
 
 }  // namespace
@@ -56,8 +75,9 @@ WorldLook::WorldLook(const World& world) {
       const bool textured = part.material.texture >= 0 && !mesh.texture_coordinates.empty();
       for (const auto& corners : mesh.triangles) {
         Triangle triangle{};
-        for (int c = 0; c < 3; ++c) triangle.colour[c] = 255.0F * part.material.colour[c];
         triangle.texture = textured ? part.material.texture : -1;
+        for (int c = 0; c < 3; ++c)
+          triangle.colour[c] = part.material.colour[c] * (textured ? 1.0F : 255.0F);
         if (textured) {
           const Eigen::Vector2f first = mesh.texture_coordinates[corners[0]];
           const Eigen::Vector2f second = mesh.texture_coordinates[corners[1]] - first;
@@ -95,6 +115,7 @@ void WorldLook::light(const Lit& model, std::vector<Triangle>& triangles) {
 
 void WorldLook::paint(const WorldScene& scene, const CameraHits& hits, float focal_length,
                       std::uint8_t* rgb) {
+  const float metres_a_pixel = 1.0F / focal_length;
   for (std::size_t m = 0; m < models_.size(); ++m) {
     const Eigen::Matrix3f R_world_model = scene.pose(m).linear().cast<float>();
     if (R_world_model == models_[m].R_world_model) continue;
@@ -102,29 +123,26 @@ void WorldLook::paint(const WorldScene& scene, const CameraHits& hits, float foc
     light(models_[m], triangles_);
   }
   for (std::size_t i = 0; i < hits.triangle.size(); ++i, rgb += 3) {
-    float pixel[3];
-    if (hits.triangle[i] == CameraHits::kNothing) {
-      for (int c = 0; c < 3; ++c) pixel[c] = kSky[c];
-    } else {
+    Pixel pixel = kSky;
+    const std::uint8_t flags = hits.flags[i];
+    if (hits.triangle[i] != CameraHits::kNothing) {
       const Triangle& triangle = triangles_[hits.triangle[i]];
-      const float u = static_cast<float>(hits.place[i] & 0xFFFFU) * (1.0F / 65535.0F);
-      const float v = static_cast<float>(hits.place[i] >> 16U) * (1.0F / 65535.0F);
+      const float u = static_cast<float>(static_cast<int>(hits.place[i] & 0xFFFFU)) * kPlaceUnit;
+      const float v = static_cast<float>(static_cast<int>(hits.place[i] >> 16U)) * kPlaceUnit;
       float light = triangle.light[0] + u * triangle.light[1] + v * triangle.light[2];
-      if (hits.flags[i] & CameraHits::kSunlit) light *= kSunshine;
-      for (int c = 0; c < 3; ++c) pixel[c] = triangle.colour[c] * light;
+      if (flags & CameraHits::kSunlit) light *= kSunshine;
+      std::memcpy(&pixel, triangle.colour, sizeof pixel);
+      pixel *= light;
       if (triangle.texture >= 0) {
         const float s = triangle.s[0] + u * triangle.s[1] + v * triangle.s[2];
         const float t = triangle.t[0] + u * triangle.t[1] + v * triangle.t[2];
         const std::uint32_t texel = textures_[static_cast<std::size_t>(triangle.texture)].sample(
-            s, t, triangle.density * hits.depth[i] / focal_length);
-        for (int c = 0; c < 3; ++c)
-          pixel[c] *= static_cast<float>((texel >> (8 * c)) & 255U) * (1.0F / 255.0F);
+            s, t, triangle.density * hits.depth[i] * metres_a_pixel);
+        pixel *= fromBytes(texel);
       }
     }
-    if (hits.flags[i] & CameraHits::kGlass) {
-      for (int c = 0; c < 3; ++c) pixel[c] += kGlassShare * (kGlass[c] - pixel[c]);
-    }
-    for (int c = 0; c < 3; ++c) rgb[c] = byte(pixel[c]);
+    if (flags & CameraHits::kGlass) pixel += kGlassShare * (kGlass - pixel);
+    store(pixel, rgb);
   }
 }
 

@@ -22,7 +22,7 @@ class WorldLook {
  private:
   /// A triangle's corners: light on each, and texture coordinates as first and two edges.
   struct Triangle {
-    float colour[3];  ///< 0..255
+    float colour[4];  ///< RGB, 0..255; with a texture 0..1
     float light[3];   ///< at the first corner, and how much more at the others
     std::int32_t texture;
     float s[3], t[3];

@@ -38,6 +38,7 @@ WorldScene::Embree::Embree() : device(rtcNewDevice("threads=1")) {
   checkDevice(device);
   fixed = rtcNewScene(device);
   moving = rtcNewScene(device);
+  rtcSetSceneBuildQuality(fixed, RTC_BUILD_QUALITY_HIGH);
   rtcSetSceneFlags(moving, RTC_SCENE_FLAG_DYNAMIC);
 }
 

@@ -137,6 +137,10 @@ class XmlReader {
       checkName(element);
     if (std::strcmp(name, "model") == 0 && std::strcmp(parent, "world") != 0)
       refuse(element, "stands within another, expected within the <world>");
+    if (isOneOf(name, {"visual", "collision"}) && element.FirstChildElement("geometry") == nullptr)
+      refuse(element, "has no <geometry>");
+    if (std::strcmp(name, "model") == 0 && element.FirstChildElement("link") == nullptr)
+      refuse(element, "has no <link>");
     if (std::strcmp(name, "geometry") == 0) checkGeometry(element);
     if (std::strcmp(name, "trajectory") == 0) checkTrajectory(element);
     if (std::strcmp(name, "actor") == 0) checkActor(element);
