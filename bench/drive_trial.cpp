@@ -19,6 +19,7 @@ constexpr double kMoving = 0.01;          // [m/s]
 constexpr double kWanting = 0.02;         // [m/s]
 constexpr double kReasonable = 0.15;      // a stop so far before the stop distance is right [m]
 constexpr double kBeside = 0.05;          // things so near beside the way are reason enough [m]
+constexpr double kStuckSeconds = 60.0;    // without getting on for so long it has given up [s]
 constexpr double kBlockedSeconds = 40.0;  // a blocked route is watched for so long [s]
 
 Footprint grown(const Footprint& footprint, double by) {
@@ -58,6 +59,7 @@ class Judge {
         grown_(grown(robot.outline(), kBeside)) {}
 
   void look(const DriveStep& step, double dt, DriveResult& result) {
+    if (loop_.floor() == nullptr) return;  // the camera is still waking up
     const LimitedCommand& limited = step.limited;
     const double reach = avoidance_.stop_distance + kReasonable + 0.3;
     around_.collect(loop_.simulation().scene(), sim_robot_,
@@ -149,14 +151,19 @@ DriveResult runDrive(const DriveTask& task, double max_seconds) {
   Judge judge(loop, *task.robot);
   loop.drive(route, std::nullopt, false);
   const double until = random.blocked ? std::min(kBlockedSeconds, max_seconds) : max_seconds;
-  double last = 0.0;
-  while (loop.simulation().time() < until && !result.reached) {
+  double last = 0.0, got_on = 0.0, left = HUGE_VAL;
+  while (loop.simulation().time() < until && !result.reached &&
+         loop.simulation().time() - got_on < kStuckSeconds) {
     const DriveStep& step = loop.step();
     judge.look(step, step.time - last, result);
     result.driven += step.twist.linear() * (step.time - last);
     last = step.time;
     result.reached = step.executor.state == ExecutorState::kReached;
     result.last_text = step.executor.text;
+    if (step.executor.distance_left < left - 0.05) {
+      left = step.executor.distance_left;
+      got_on = step.time;
+    }
     if (!task.keep_track) continue;
     result.track.push_back({step.time, step.limited.wanted, step.limited.limited,
                             loop.limiter().pathSpeed(step.twist),

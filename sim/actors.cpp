@@ -11,6 +11,9 @@ namespace {
 
 constexpr double kElbows = 0.05;    ///< on both sides of an actor, room that they want [m]
 constexpr double kForesight = 1.5;  ///< nobody steps where the robot will be by then [s]
+constexpr double kRoom = 0.6;       ///< before a robot that people leave free [m]
+constexpr double kStep = 0.1;       ///< [m]
+constexpr double kStanding = 0.02;  ///< slower robots seem to stand [m/s]
 constexpr double kPatience = 3.0;   ///< who has waited so long turns round [s]
 
 double radiusOf(const Model& model) {
@@ -22,6 +25,16 @@ double radiusOf(const Model& model) {
     }
   }
   return radius;
+}
+
+/// @param wide on either side [m].
+Slice strip(const Eigen::Vector2d& from, const Eigen::Vector2d& to, double wide) {
+  const Eigen::Vector2d along = (to - from).normalized();
+  const Eigen::Vector2d side = wide * Eigen::Vector2d(-along.y(), along.x());
+  Slice slice;
+  slice.count = 4;
+  slice.corners = {from - side, to - side, to + side, from + side};
+  return slice;
 }
 
 }  // namespace
@@ -71,23 +84,29 @@ void Actors::release(std::size_t model) {
   }
 }
 
-/// Whether the robot reaches into the strip that the actor is about to walk over, now or soon.
+/// Whether the robot reaches into what the actor is about to walk over, now or soon.
 bool Actors::robotAhead(const Actor& actor, const Robot& robot, double dt) {
   const Pose2 now = poseAt(*actor.model->path, actor.clock);
   const Pose2 next = poseAt(*actor.model->path, actor.clock + actor.sense * dt);
   const Eigen::Vector2d way = next.position() - now.position();
   if (way.norm() < 1e-6) return false;
-  const Eigen::Vector2d along = way.normalized(), across(-along.y(), along.x());
-  const Eigen::Vector2d side = (actor.radius + kElbows) * across;
-  const Eigen::Vector2d end = now.position() + (actor.radius + actor.model->courtesy) * along;
-  Slice strip;
-  strip.count = 4;
-  strip.corners = {now.position() - side, end - side, end + side, now.position() + side};
-  for (double ahead = 0.0; ahead <= kForesight; ahead += 0.25) {
-    const Pose2 pose = advanced(robot.pose, robot.twist, ahead);
-    if (separation(robot.footprint, pose, strip) <= 0.0) return true;
+  const Eigen::Vector2d along = way.normalized(), at = now.position();
+  const double wide = actor.radius + kElbows;
+  const Eigen::Vector2d courteous = at + (actor.radius + actor.model->courtesy) * along;
+  if (separation(robot.footprint, robot.pose, strip(at, courteous, wide)) <= 0.0) return true;
+
+  // Where it will be soon, and the room before it, nobody enters; who is there walks on.
+  const Slice step = strip(at, at + (actor.radius + kStep) * along, wide);
+  const Slice body = strip(at - actor.radius * along, at + actor.radius * along, actor.radius);
+  const Twist2 twist = robot.twist.linear() > kStanding ? robot.twist : Twist2{kStanding, 0.0, 0.0};
+  const double seconds = std::max(kForesight, kRoom / twist.linear());
+  bool enters = false;
+  for (double share = 0.25; share <= 1.0; share += 0.25) {
+    const Pose2 pose = advanced(robot.pose, twist, share * seconds);
+    if (separation(robot.footprint, pose, body) <= 0.0) return false;
+    enters = enters || separation(robot.footprint, pose, step) <= 0.0;
   }
-  return false;
+  return enters;
 }
 
 }  // namespace pilothouse::sim

@@ -296,7 +296,7 @@ TEST(MotionExecutor, HeldByWhatIsOnlyRememberedItGoesBackToLookThreeTimesThenWai
     bool back = false;
     double from = 0.0, fastest_back = 0.0;
     ExecutorOutput output;
-    for (int i = 0; i < 50 * 120; ++i) {
+    for (int i = 0; i < 50 * 120 && output.text != "a box; looked again 3 times"; ++i) {
       output = held.step();
       const double x = held.robot.pose().x;
       if (output.wanted.vx < 0.0 && !back) {
@@ -315,6 +315,13 @@ TEST(MotionExecutor, HeldByWhatIsOnlyRememberedItGoesBackToLookThreeTimesThenWai
     EXPECT_LE(fastest_back, 0.1 + 1e-9);
     EXPECT_EQ(output.state, ExecutorState::kWaiting);
     EXPECT_EQ(output.text, "a box; looked again 3 times");
+    int waited = 0;
+    while (waited < 50 * 60 && output.state == ExecutorState::kWaiting) {
+      output = held.step();
+      ++waited;
+    }
+    EXPECT_GT(waited, 50 * 10) << "for long";
+    EXPECT_LT(waited, 50 * 20) << "but not for good";
   }
 }
 

@@ -239,7 +239,7 @@ TEST(Actors, HaltForTheRobotWhenCourteous) {
   }
   const double gap = drive.scene.pose(1).translation().x() - 0.25;
   EXPECT_GT(gap, 0.5);
-  EXPECT_LT(gap, 0.8);
+  EXPECT_LT(gap, 1.0);
   for (int i = 0; i < 600; ++i) {
     actors.step(drive.scene, {drive.base.robot().footprint, {0.0, 3.0, 0.0}, {}}, kTick);
   }

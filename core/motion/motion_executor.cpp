@@ -22,6 +22,7 @@ constexpr double kPullAhead = 0.12;    // going back it aims so far along the tr
 constexpr double kLookTime = 1.0;      // it stands so long to look [s]
 constexpr double kLooksAt = 0.1;       // so near the camera's middle is well seen [rad]
 constexpr double kLongestTurn = 6.0;   // [s]
+constexpr double kLongWait = 15.0;     // [s]
 constexpr double kLongestBack = 10.0;  // [s]
 constexpr double kForgetLooks = 0.5;   // got on so far since the last look: a new case [m]
 constexpr int kApproaches = 5;
@@ -208,6 +209,8 @@ void MotionExecutor::noticeHold(const ExecutorInput& input, ExecutorOutput& outp
   output.text = input.reason;
   if (input.hold != Hold::kRemembered) return;
   if (held_since_ < 0.0) held_since_ = input.now;
+  // Somebody may come and go before it: after a long wait it looks anew.
+  if (looked_ >= parameters_.looks && input.now - held_since_ > kLongWait) looked_ = 0;
   if (looked_ >= parameters_.looks) {
     output.text += "; looked again " + std::to_string(looked_) + " times";
     return;
