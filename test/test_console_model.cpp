@@ -314,6 +314,41 @@ TEST(Notices, rejectedInputsAreNamed) {
   EXPECT_EQ(notices(s)[0].text, "depth rejected: step 3, expected 1280");
 }
 
+TEST(SituationOf, namesAMissingGateAndBaseOnlyWhereSomethingCanDrive) {
+  ConsoleState state;
+  LinkStatus link;
+  link.phase = LinkPhase::kConnected;
+  state.link.set(link);
+  state.names.set(
+      {{"speed_limit", "/speed_limit"}, {"stop_state", "/stop_state"}, {"odom", "/odom"}});
+  const auto says = [&](const std::string& text) {
+    for (const auto& notice : notices(situationOf(state, "platform", 10.0))) {
+      if (notice.text.find(text) != std::string::npos) return true;
+    }
+    return false;
+  };
+  EXPECT_FALSE(says("stop gate"));
+  EXPECT_FALSE(says("base"));
+  state.advertised.set({"/speed_limit"});
+  EXPECT_TRUE(says("no stop gate: nobody publishes stop_state"));
+  EXPECT_TRUE(says("base: nobody publishes odom: is it or its simulator on?"));
+  state.advertised.set({"/speed_limit", "/stop_state", "/odom"});
+  EXPECT_FALSE(says("nobody publishes odom"));
+  RouteReading route;
+  route.phase = RoutePhase::kDriving;
+  route.target = 1;
+  route.points = 5;
+  route.distance_left = 3.14;
+  route.at = 9.0;
+  state.route.set(route);
+  EXPECT_TRUE(says("route: to point 2 of 5, 3.1 m left"));
+  ContactsReading contacts;
+  contacts.count = 2;
+  contacts.at = 9.0;
+  state.contacts.set(contacts);
+  EXPECT_TRUE(says("contacts: 2 since the start"));
+}
+
 TEST(SituationOf, namesRemappedTopicsAndNeedsNoTransformWhileTheFloorArrives) {
   ConsoleState state;
   LinkStatus link;

@@ -48,7 +48,8 @@ SweptOutline sweptOutline(const Footprint& footprint, const Twist2& twist, doubl
   // Of corners as far aside, the one that leads: its way ends where the area does.
   const auto outermost = [&](double side) {
     const auto reach = [&](const Eigen::Vector2d& p) {
-      return side * leftOf(p, twist) + 1e-3 * (p.x() * twist.vx + p.y() * twist.vy);
+      return side * leftOf(p, twist) +
+             0.02 * (p.x() * twist.vx + p.y() * twist.vy) / std::max(kStands, twist.linear());
     };
     return *std::max_element(
         corners.begin(), corners.end(),
