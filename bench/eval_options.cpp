@@ -11,6 +11,9 @@ namespace {
 
 std::string describe(const std::string& option) {
   if (option == "--runs") return "  --runs N    how many scenes of each kind (default 20)";
+  if (option == "--faults") return "  --faults N  how many faults (default 500)";
+  if (option == "--appearances")
+    return "  --appearances N  how many obstacles that appear (default 200)";
   if (option == "--seed") return "  --seed S    start of the random numbers (default 1)";
   if (option == "--data")
     return "  --data DIR  folder of recordings, searched with all its folders";
@@ -63,6 +66,10 @@ EvalOptions readOptions(const EvalCommand& command, int argc, char** argv) {
     const std::string value = argv[i];
     if (option == "--runs") {
       options.runs = static_cast<int>(readNumber(command, option, value, 1, 100000));
+    } else if (option == "--faults") {
+      options.faults = static_cast<int>(readNumber(command, option, value, 0, 100000));
+    } else if (option == "--appearances") {
+      options.appearances = static_cast<int>(readNumber(command, option, value, 0, 100000));
     } else if (option == "--seed") {
       options.seed = readNumber(command, option, value, 0, ~std::uint64_t{0});
     } else if (option == "--data") {

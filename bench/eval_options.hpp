@@ -9,6 +9,8 @@ namespace pilothouse::bench {
 /// What an evaluation's command line may say.
 struct EvalOptions {
   int runs = 20;
+  int faults = 500;
+  int appearances = 200;
   std::uint64_t seed = 1;
   std::string data;  ///< folder of recordings; empty: not given
   std::string out;   ///< folder for pictures; empty: none
@@ -18,7 +20,7 @@ struct EvalOptions {
 struct EvalCommand {
   std::string name;
   std::string purpose;
-  std::vector<std::string> options;  ///< of --runs --seed --data --out
+  std::vector<std::string> options;  ///< of --runs --faults --appearances --seed --data --out
 };
 
 /// Reads the command line. --help prints and exits with 0; a fault prints one line and exits

@@ -17,15 +17,6 @@ CommandSource sourceOf(const std::string& name) {
   return name == "task" ? CommandSource::kTask : CommandSource::kUnknown;
 }
 
-bool isFinite(const nav_msgs::Odometry& odometry) {
-  const auto& p = odometry.pose.pose.position;
-  const auto& q = odometry.pose.pose.orientation;
-  const auto& v = odometry.twist.twist;
-  const double numbers[] = {p.x, p.y, p.z, q.x, q.y, q.z, q.w, v.linear.x, v.linear.y, v.angular.z};
-  return std::all_of(std::begin(numbers), std::end(numbers),
-                     [](double x) { return std::isfinite(x); });
-}
-
 /// The largest of what a planar base cannot do; NaN if one of them is.
 double offPlane(const geometry_msgs::Twist& twist) {
   double largest = 0.0;
@@ -68,9 +59,17 @@ void GateInbox::listen(ros::NodeHandle& handle, const std::string& topic,
 }
 
 void GateInbox::takeOdometry(const nav_msgs::Odometry& message) {
-  if (!isFinite(message)) return refuse("odom: not finite");
+  const auto& q = message.pose.pose.orientation;
+  const auto& v = message.twist.twist;
+  OdometryMessage odometry;
+  odometry.stamp = message.header.stamp.toSec();
+  odometry.arrival = steadyNow();
+  odometry.pose = {message.pose.pose.position.x, message.pose.pose.position.y,
+                   std::atan2(q.z * q.w + q.x * q.y, 0.5 - q.y * q.y - q.z * q.z)};
+  odometry.twist = {v.linear.x, v.linear.y, v.angular.z};
+  if (!odometry.pose.finite() || !odometry.twist.finite()) return refuse("odom: not finite");
   const std::lock_guard<std::mutex> lock(mutex_);
-  newest_.odometry = {message.header.stamp.toSec(), steadyNow()};
+  newest_.odometry = odometry;
 }
 
 void GateInbox::takeLimit(const SpeedLimit& message) {

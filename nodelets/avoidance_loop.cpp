@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kJitter = 0.1;         // time that goes back by more has jumped [s]
 constexpr double kObjectsPeriod = 0.1;  // of the lists while no grid comes [s]
+constexpr double kMoving = 0.02;        // what is seen changes from this speed on [m/s, rad/s]
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 std::vector<ObjectMerger::Ranger> rangersOf(const RobotDescription& robot) {
@@ -61,6 +62,8 @@ std::string AvoidanceLoop::take(const FloorGrid& grid) {
   if (grid.header.frame_id != base_frame_) return "a grid in another frame than " + base_frame_;
   const auto frame = openGrid(grid, classes_);
   if (!frame) return frame.reason();
+  const bool moving = measured_.linear() + std::abs(measured_.w) > kMoving;
+  if (frozen_.repeats(grid) && moving) return "the same as the one before, though the robot moves";
   if (!merger_.floor(*frame)) return "the base's pose at the grid's stamp is not known";
   new_grid_ = true;
   return {};

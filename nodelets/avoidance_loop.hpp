@@ -11,6 +11,7 @@
 
 #include "core/motion/object_merger.hpp"
 #include "core/motion/speed_limiter.hpp"
+#include "doors/frozen_grid.hpp"
 #include "doors/robot_description.hpp"
 #include "nodelets/avoidance_outputs.hpp"
 #include "nodelets/command_choice.hpp"
@@ -51,6 +52,7 @@ class AvoidanceLoop {
   AvoidanceOutputs outputs_;
   CommandChoice commands_;
   std::vector<CellClass> classes_;
+  FrozenGrid frozen_;
   Surroundings surroundings_;
   double odometry_stamp_ = 0.0;
   Twist2 measured_;

@@ -75,6 +75,22 @@ TEST(StopGate, StopsInTimeWhenOdometryIsStale) {
   robot.expectHeld();
 }
 
+TEST(StopGate, StopsInTimeWhenOdometryIsFrozenThoughItsStampsGoOn) {
+  Driving robot;
+  robot.frozen = true;
+  expectInTime(robot.timeToZero());
+  robot.expectLatched(StopCause::kStaleOdometry);
+}
+
+TEST(StopGate, OdometryOfARobotThatStandsIsNotFrozen) {
+  Driving robot;
+  robot.wanted = {};
+  robot.run(0.1);
+  robot.frozen = true;
+  robot.run(2.0);
+  EXPECT_EQ(robot.out.status, GateStatus::kRunning) << describe(robot.out.stopped, "", "");
+}
+
 TEST(StopGate, StopsInTimeWhenTheLimiterIsSilent) {
   Driving robot;
   robot.limiter = robot.command = false;
@@ -296,7 +312,7 @@ TEST(StopGate, StampsOfTheFutureAreRefused) {
   GateBench bench;
   bench.odometry = false;
   for (int i = 0; i < 100; ++i) {
-    bench.in.odometry = {bench.ros() + 5.0, bench.now};
+    static_cast<Arrival&>(bench.in.odometry) = {bench.ros() + 5.0, bench.now};
     bench.tick();
   }
   EXPECT_FALSE(bench.arm());
@@ -327,7 +343,8 @@ TEST(StopGate, AJumpOfTheClockStopsAndForgetsStamps) {
       robot.now += GateBench::kPeriod;
       const double ros = robot.ros() + jump;
       robot.in.now = {robot.now, ros};
-      robot.in.odometry = {ros, robot.now};
+      static_cast<Arrival&>(robot.in.odometry) = {ros, robot.now};
+      robot.in.odometry.pose.x = robot.now;
       static_cast<Arrival&>(robot.in.limit) = {ros, robot.now};
       static_cast<Arrival&>(robot.in.command) = {ros, robot.now};
       robot.in.limit.perception_stamp = robot.in.limit.command_stamp = ros;

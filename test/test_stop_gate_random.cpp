@@ -68,8 +68,8 @@ void disturb(GateBench& bench, Odd& odd) {
 }
 
 void spoil(GateInputs& in, Odd& odd) {
-  for (Arrival* arrival :
-       {static_cast<Arrival*>(&in.limit), static_cast<Arrival*>(&in.command), &in.odometry}) {
+  for (Arrival* arrival : {static_cast<Arrival*>(&in.limit), static_cast<Arrival*>(&in.command),
+                           static_cast<Arrival*>(&in.odometry)}) {
     if (!odd.oneIn(20)) continue;
     arrival->stamp = odd.number(arrival->stamp);
     arrival->arrival = odd.number(arrival->arrival);

@@ -53,10 +53,18 @@ void takeTime(Step& g) {
   s.last = g.in.now;
 }
 
+void takeOdometry(Step& g) {
+  const OdometryMessage& odometry = g.in.odometry;
+  const Pose2 &pose = odometry.pose, &last = g.s.pose;
+  const bool stays = pose.x == last.x && pose.y == last.y && pose.heading == last.heading;
+  if (!stays || odometry.twist.zero()) g.s.odometry.take(odometry, g.in.now, kFuture);
+  g.s.pose = pose;
+}
+
 void takeMessages(Step& g) {
   GateState& s = g.s;
   const GateInputs& in = g.in;
-  s.odometry.take(in.odometry, in.now, kFuture);
+  takeOdometry(g);
   s.limit.take(in.limit, in.now, kFuture);
   s.perception.take({in.limit.perception_stamp, in.limit.arrival}, in.now, kFuture);
   // Whose command it is stands in the report; the two are published one after the other.

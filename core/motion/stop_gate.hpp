@@ -85,6 +85,12 @@ struct CommandMessage : Arrival {
   double off_plane = 0.0;  ///< largest of its other components; NaN if one is
 };
 
+/// Where the robot is by its wheels; finite.
+struct OdometryMessage : Arrival {
+  Pose2 pose;
+  Twist2 twist;
+};
+
 /// The newest report of the speed limiter.
 struct LimitMessage : Arrival {
   double perception_stamp = 0.0, command_stamp = 0.0;  ///< [s]
@@ -95,7 +101,7 @@ struct LimitMessage : Arrival {
 /// All that the gate knows at one instant: the newest message of each input.
 struct GateInputs {
   GateTime now;
-  Arrival odometry;  ///< only of finite ones
+  OdometryMessage odometry;
   LimitMessage limit;
   CommandMessage command;
   std::array<ConsoleMessage, kMostConsoles> consoles;
@@ -114,6 +120,7 @@ struct GateState {
   StopFinding stopped{StopCause::kNotArmed, 0.0, 0.0, -1};
   bool moving = false;  ///< the last command that passed was not zero
   InputAge perception, odometry, limit, task;
+  Pose2 pose;      ///< by the newest odometry
   Arrival teleop;  ///< newest stamp of the console's clock, and when it first came
   CommandSource source = CommandSource::kUnknown;
   double source_known = -std::numeric_limits<double>::infinity();  ///< steady [s]

@@ -1,0 +1,54 @@
+// A nodelet manager that loads its nodelets by itself: those of ~nodelets, name: type. Where it is
+// killed and started again it is complete at once, without loaders whose bonds take seconds to break
+// and which a busy computer or a jump of time breaks for nothing.
+#include <nodelet/loader.h>
+#include <ros/ros.h>
+
+#include "doors/strict_parameters.hpp"
+
+namespace {
+
+using pilothouse::StrictParameters;
+
+/// Name and type of each nodelet. @throws ParameterFault.
+std::map<std::string, std::string> readNodelets() {
+  StrictParameters own(ros::NodeHandle("~"));
+  int threads = 0;
+  own.require({"nodelets"});
+  own.read("num_worker_threads", threads, 0, 64);  // the loader's own
+  XmlRpc::XmlRpcValue list = own.raw("nodelets");
+  StrictParameters nodelets = own.child("nodelets");
+  std::map<std::string, std::string> found;
+  if (list.getType() == XmlRpc::XmlRpcValue::TypeStruct) {
+    for (auto& entry : list) {
+      std::string type;
+      nodelets.read(entry.first, type);
+      found[ros::names::resolve(entry.first)] = type;
+    }
+  }
+  own.merge(nodelets);
+  own.finish();
+  return found;
+}
+
+int run() {
+  nodelet::Loader loader(ros::NodeHandle("~"));
+  for (const auto& [name, type] : readNodelets()) {
+    if (loader.load(name, type, ros::M_string(), nodelet::V_string())) continue;
+    ROS_FATAL("Cannot load %s as %s: the reason stands above", type.c_str(), name.c_str());
+    return 1;
+  }
+  ros::spin();
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "nodelet_host");
+  try {
+    return run();
+  } catch (const pilothouse::ParameterFault&) {
+    return 1;  // each fault was logged
+  }
+}
