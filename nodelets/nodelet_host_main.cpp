@@ -1,6 +1,6 @@
 // A nodelet manager that loads its nodelets by itself: those of ~nodelets, name: type. Where it is
-// killed and started again it is complete at once, without loaders whose bonds take seconds to break
-// and which a busy computer or a jump of time breaks for nothing.
+// killed and started again it is complete at once, without loaders whose bonds take seconds to
+// break and which a busy computer or a jump of time breaks for nothing.
 #include <nodelet/loader.h>
 #include <ros/ros.h>
 
