@@ -10,7 +10,7 @@ namespace pilothouse::bench {
 namespace {
 
 const cv::Scalar kInk(40, 36, 32), kGrid(225, 222, 218), kDot(190, 110, 30), kLate(40, 30, 220);
-constexpr int kLeft = 250, kWidth = 900, kRow = 26, kTop = 60;
+constexpr int kLeft = 290, kWidth = 940, kRow = 26, kTop = 60;
 constexpr double kShown = 0.6;  // [s]
 
 /// Rows of dots over an axis of time.
