@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kElbows = 0.05;    ///< on both sides of an actor, room that they want [m]
 constexpr double kForesight = 1.5;  ///< nobody steps where the robot will be by then [s]
+constexpr double kRest = 20.0;      ///< who came back lets the robot go for so long [s]
 constexpr double kRoom = 0.6;       ///< before a robot that people leave free [m]
 constexpr double kStep = 0.1;       ///< [m]
 constexpr double kStanding = 0.02;  ///< slower robots seem to stand [m/s]
@@ -68,14 +69,17 @@ void Actors::step(WorldScene& scene, const Robot& robot, double dt) {
 void Actors::walk(Actor& actor, double dt) {
   const ActorPath& path = *actor.model->path;
   const double first = path.points.front().time, last = path.points.back().time;
-  actor.clock += actor.sense * dt;
-  if (actor.clock >= first) return;
-  if (path.loop && last > first) {
-    actor.clock += last - first;
-  } else {
-    actor.clock = first;
-    actor.sense = 1.0;
+  if (actor.rest > 0.0) {
+    actor.rest -= dt;
+    return;
   }
+  actor.clock += actor.sense * dt;
+  if (path.loop && last > first && actor.clock > last) actor.clock -= last - first;
+  if (actor.clock >= first) return;
+  // Back where they began: they let the robot go first.
+  actor.clock = first;
+  actor.sense = 1.0;
+  actor.rest = kRest;
 }
 
 void Actors::release(std::size_t model) {

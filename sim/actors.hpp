@@ -8,7 +8,8 @@
 namespace pilothouse::sim {
 
 /// Everybody in a world who follows a path. Each has a clock of their own, which stands while the
-/// robot is in the way of somebody courteous, who after a while turns round and walks back.
+/// robot is in the way of somebody courteous, who after a while turns round,
+/// walks back to where the path begins and lets the robot go first.
 class Actors {
  public:
   struct Robot {
@@ -33,6 +34,7 @@ class Actors {
     double clock = 0.0;
     double sense = 1.0;   ///< -1: walks back
     double waited = 0.0;  ///< for the robot [s]
+    double rest = 0.0;    ///< stands at the begin of the path for so long yet [s]
     bool walks = true;
   };
   static void walk(Actor& actor, double dt);

@@ -231,10 +231,21 @@ class Builder {
     return {route_.front(), Vector2d::UnitX()};
   }
 
+  /// Distance of a point from the route.
+  double fromRoute(const Vector2d& point) const {
+    double nearest = HUGE_VAL;
+    for (std::size_t i = 1; i < route_.size(); ++i) {
+      const Vector2d leg = route_[i] - route_[i - 1];
+      const double share = std::clamp(leg.dot(point - route_[i - 1]) / leg.squaredNorm(), 0.0, 1.0);
+      nearest = std::min(nearest, (route_[i - 1] + share * leg - point).norm());
+    }
+    return nearest;
+  }
+
   void addPeople() {
     const int people = random_.integer(p_.least_people, p_.most_people);
     for (int i = 0; i < people; ++i)
-      for (int attempt = 0; attempt < 10 && !addPerson(); ++attempt) {
+      for (int attempt = 0; attempt < 30 && !addPerson(); ++attempt) {
       }
   }
 
@@ -251,7 +262,10 @@ class Builder {
       return far;
     };
     const double back = reach(-way), ahead = reach(way);
-    if (back + ahead < 1.2) return false;
+    // They stop and turn well beside the route, not on it.
+    if (std::min(back, ahead) < p_.robot_radius + p_.clearance + kPersonRadius) return false;
+    if (fromRoute(middle - back * way) < kPersonRadius + 0.5) return false;
+    if (fromRoute(middle + ahead * way) < kPersonRadius + 0.5) return false;
     const Vector2d from = middle - back * way, to = middle + ahead * way;
     const double out = std::atan2(way.y(), way.x()), home = wrapped(out + M_PI);
     const double walk = (to - from).norm() / random_.uniform(0.3, 0.9);

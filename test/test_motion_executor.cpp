@@ -320,8 +320,8 @@ TEST(MotionExecutor, HeldByWhatIsOnlyRememberedItGoesBackToLookThreeTimesThenWai
       output = held.step();
       ++waited;
     }
-    EXPECT_GT(waited, 50 * 10) << "for long";
-    EXPECT_LT(waited, 50 * 20) << "but not for good";
+    EXPECT_GT(waited, 50 * 4) << "for a while";
+    EXPECT_LT(waited, 50 * 8) << "but not for good";
   }
 }
 
