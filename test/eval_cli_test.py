@@ -24,6 +24,13 @@ class EvalCommandLine(unittest.TestCase):
             self.assertEqual(done.returncode, 0, name)
             self.assertIn("usage: ", done.stdout)
 
+    def test_drive(self):
+        if not os.path.exists(os.path.join(FOLDER, "eval_drive")):
+            self.skipTest("eval_drive is not built: no simulator")
+        self.assertIn("usage: ", call("eval_drive", "--help").stdout)
+        self.assertIn("--wrong", self.refused("eval_drive", "--wrong"))
+        self.assertIn("--runs is '0'", self.refused("eval_drive", "--runs", "0"))
+
     def refused(self, name, *options):
         done = call(name, *options)
         self.assertEqual(done.returncode, 2, (name, options))
