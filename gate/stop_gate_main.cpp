@@ -21,6 +21,8 @@ GateParameters readParameters(ros::NodeHandle& handle) {
   const BaseParameters drive = readRobot(robot).drive;
   parameters.max_speed = drive.max_speed;
   parameters.max_turn_rate = drive.max_turn_rate;
+  if (drive.kind == BaseKind::kFourWheelSteered)
+    parameters.steering_time = 1.6 / drive.steering_rate;  // a quarter of a turn
   parameters.can_go_sideways = drive.kind != BaseKind::kDifferential;
   return parameters;
 }

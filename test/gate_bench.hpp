@@ -22,6 +22,7 @@ class GateBench {
   // What still comes in.
   bool perception = true, odometry = true, limiter = true, command = true;
   bool frozen = false;  ///< odometry comes, with new stamps, but says the same
+  bool stands = false;  ///< odometry says that the robot does not move
   bool console = false, console_hears = true;
   Twist2 wanted{0.3, 0.0, 0.1};
   CommandSource source = CommandSource::kTask;
@@ -80,7 +81,7 @@ class GateBench {
     if (odometry) {
       static_cast<Arrival&>(in.odometry) = {ros(), now};
       if (!frozen) in.odometry.pose.x = now;
-      in.odometry.twist = out.command;
+      in.odometry.twist = stands ? Twist2{} : out.command;
     }
     if (perception) perception_stamp_ = ros() - 0.06;
     if (console) say(false, source == CommandSource::kTeleop, false);

@@ -83,10 +83,11 @@ class RobotStandIn {
   }
 
   void publish() {
+    nav_msgs::Odometry odometry_message;
     while (!ending_) {
       const ros::Time now = ros::Time::now();
-      nav_msgs::Odometry odometry_message;
       odometry_message.header.stamp = now;
+      odometry_message.pose.pose.position.x += 1e-6;  // moves, however little
       if (odometry) odometry_.publish(odometry_message);
       publishOperator(now);
       if (perception) seen_ = now;

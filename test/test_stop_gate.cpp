@@ -91,6 +91,43 @@ TEST(StopGate, OdometryOfARobotThatStandsIsNotFrozen) {
   EXPECT_EQ(robot.out.status, GateStatus::kRunning) << describe(robot.out.stopped, "", "");
 }
 
+TEST(StopGate, StopsWhenOdometryFrozenAtStandstillSaysThatADrivenRobotStands) {
+  for (const Twist2& wanted : {Twist2{0.06, 0.0, 0.0}, Twist2{0.0, 0.0, 0.25}}) {
+    GateBench robot;
+    robot.wanted = wanted;
+    robot.frozen = robot.stands = true;  // from before arming
+    ASSERT_TRUE(robot.armed());
+    const double from = robot.now;
+    while (robot.now - from < 3.0 && !robot.tick().command.zero()) {
+    }
+    EXPECT_EQ(robot.out.stopped.cause, StopCause::kStaleOdometry)
+        << describe(robot.out.stopped, "", "");
+    EXPECT_GT(robot.now - from, 1.2) << "a base may take a while to start";
+    EXPECT_LT(robot.now - from, 1.4);
+  }
+}
+
+TEST(StopGate, ADrivenRobotThatIsHeldIsNotFrozenWhileItsReadingsDiffer) {
+  Driving robot;
+  robot.frozen = robot.stands = true;
+  for (int i = 0; i < 400; ++i) {
+    robot.in.odometry.pose.x += i % 2 ? 1e-9 : -1e-9;
+    ASSERT_EQ(robot.tick().status, GateStatus::kRunning) << describe(robot.out.stopped, "", "");
+  }
+}
+
+TEST(StopGate, ShortOrSlowCommandsDoNotAskOdometryToChange) {
+  Driving robot;
+  robot.frozen = robot.stands = true;
+  for (int i = 0; i < 400; ++i) {
+    robot.wanted = {i % 40 ? 0.3 : 0.0, 0.0, 0.0};  // never for a second
+    ASSERT_EQ(robot.tick().status, GateStatus::kRunning) << describe(robot.out.stopped, "", "");
+  }
+  robot.wanted = {0.04, 0.0, 0.1};
+  robot.run(4.0);
+  EXPECT_EQ(robot.out.status, GateStatus::kRunning) << describe(robot.out.stopped, "", "");
+}
+
 TEST(StopGate, StopsInTimeWhenTheLimiterIsSilent) {
   Driving robot;
   robot.limiter = robot.command = false;

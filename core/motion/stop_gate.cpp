@@ -14,6 +14,9 @@ constexpr double kOverLimit = 1.05;     // rounding and ramps are no fault
 constexpr double kNoSpeed = 1e-3;       // what a base cannot do must be no more than this
 constexpr double kOtherHeld = 1.0;      // a second publisher is there so long after it spoke [s]
 constexpr double kInCommand = 2.0;      // its commands still ramp down so long after the keys [s]
+constexpr double kDrivenSpeed = 0.05;   // a base that is sent faster than this ... [m/s]
+constexpr double kDrivenTurn = 0.2;     // ... or turns faster ... [rad/s]
+constexpr double kDriven = 1.0;         // ... for so long moves, or is held, which shows too [s]
 constexpr double kStopForgotten = 5.0;  // a pressed stop of a console that is gone, then [s]
 
 using Finding = StopFinding;
@@ -57,8 +60,13 @@ void takeOdometry(Step& g) {
   const OdometryMessage& odometry = g.in.odometry;
   const Pose2 &pose = odometry.pose, &last = g.s.pose;
   const bool stays = pose.x == last.x && pose.y == last.y && pose.heading == last.heading;
-  if (!stays || odometry.twist.zero()) g.s.odometry.take(odometry, g.in.now, kFuture);
+  const bool rests = odometry.twist.zero();
+  // A driver that froze while the robot stood says for ever that it stands.
+  const bool must_move = g.now() - g.s.driven_since > kDriven + g.p.steering_time;
+  const bool frozen = stays && (!rests || (must_move && g.s.twist.zero()));
+  if (!frozen) g.s.odometry.take(odometry, g.in.now, kFuture);
   g.s.pose = pose;
+  g.s.twist = odometry.twist;
 }
 
 void takeMessages(Step& g) {
@@ -218,6 +226,14 @@ void passCommand(Step& g) {
   }
 }
 
+void noteDriven(Step& g) {
+  const Twist2& sent = g.out.command;
+  if (!(sent.linear() > kDrivenSpeed || std::abs(sent.w) > kDrivenTurn))
+    g.s.driven_since = kInfinite;
+  else if (g.s.driven_since == kInfinite)
+    g.s.driven_since = g.now();
+}
+
 }  // namespace
 
 StopFinding commandFault(const GateParameters& p, const CommandMessage& command) {
@@ -247,6 +263,7 @@ GateOutput step(const GateParameters& parameters, GateState& state, const GateIn
   if (inputs.arm_requests != state.arm_requests && !g.out.obstacle) state.armed = true;
   state.arm_requests = inputs.arm_requests;
   passCommand(g);
+  noteDriven(g);
   g.out.stopped = state.armed ? Finding{} : state.stopped;
   g.out.beat = state.beats.next(inputs.now.steady);
   return g.out;

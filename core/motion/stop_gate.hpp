@@ -23,6 +23,7 @@ struct GateParameters {
   // ---- of the base
   double max_speed = 0.6;       ///< [m/s], 0.01..10
   double max_turn_rate = 1.5;   ///< [rad/s], 0.01..10
+  double steering_time = 0.0;   ///< until its wheels stand right for a new command [s]
   bool can_go_sideways = true;  ///< false: any sideways speed is over the limit
 };
 
@@ -120,7 +121,9 @@ struct GateState {
   StopFinding stopped{StopCause::kNotArmed, 0.0, 0.0, -1};
   bool moving = false;  ///< the last command that passed was not zero
   InputAge perception, odometry, limit, task;
-  Pose2 pose;      ///< by the newest odometry
+  Pose2 pose;                                                     ///< by the newest odometry
+  Twist2 twist;                                                   ///< by it
+  double driven_since = std::numeric_limits<double>::infinity();  ///< steady [s]; infinite: is not
   Arrival teleop;  ///< newest stamp of the console's clock, and when it first came
   CommandSource source = CommandSource::kUnknown;
   double source_known = -std::numeric_limits<double>::infinity();  ///< steady [s]
@@ -145,14 +148,15 @@ struct GateOutput {
 /// until a person arms again. Starts stopped. A pure function of its arguments; allocates nothing.
 ///
 /// While armed, each of these stops and latches: a perception, odometry or limiter's report older
-/// than its limit (of the ORIGINAL: see InputAge); the command's source silent while the robot
-/// moved; a console silent that was there since arming and did not say that it leaves; an
-/// operator's stop; a second publisher; a command that is not finite or over the base's limits; a
-/// jump of a clock, or a gate that itself stood still. Without a command, the last one zero, it is
-/// idle, which is no fault. A teleop command counts as no younger than the newest sign of life of
-/// the console in command, so that none older than its limit is acted on, whatever a link delays.
-/// Arming is refused while any of these holds, and while a command of a person is held: it must
-/// have been zero before. A task may go on after arming.
+/// than its limit (of the ORIGINAL: see InputAge; odometry that stays the same to the last bit
+/// while it or a second of commands says that the robot moves is no newer for its stamps); the
+/// command's source silent while the robot moved; a console silent that was there since arming and
+/// did not say that it leaves; an operator's stop; a second publisher; a command that is not finite
+/// or over the base's limits; a jump of a clock, or a gate that itself stood still. Without a
+/// command, the last one zero, it is idle, which is no fault. A teleop command counts as no younger
+/// than the newest sign of life of the console in command, so that none older than its limit is
+/// acted on, whatever a link delays. Arming is refused while any of these holds, and while a
+/// command of a person is held: it must have been zero before. A task may go on after arming.
 GateOutput step(const GateParameters& parameters, GateState& state, const GateInputs& inputs);
 
 /// What is wrong with a command in itself: nothing, or kBadCommand.
