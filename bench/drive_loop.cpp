@@ -121,15 +121,14 @@ void DriveLoop::control() {
   }
   surroundings_ = merger_.merge(now);
   LimiterInput input;
-  input.now = now;
   input.dt = kTicks * sim::Simulation::kTick;
   input.wanted = step_.wanted;
   input.measured = measured_;
-  input.odometry_age = odometry_stamp_ < 0.0 ? HUGE_VAL : now - odometry_stamp_;
   double oldest = floor_stamp_;
   for (const double stamp : range_stamps_) oldest = std::min(oldest, stamp);
   input.perception_age = oldest < 0.0 ? HUGE_VAL : now - oldest;
   const auto pose = merger_.pose(now);
+  input.odometry_age = pose ? now - odometry_stamp_ : HUGE_VAL;
   const SpeedLimiter::Looked looked = [&](const Eigen::Vector2d& place) {
     return pose && merger_.memory().looked(*pose * place, now);
   };

@@ -164,11 +164,6 @@ DriveResult runDrive(const DriveTask& task, double max_seconds) {
       left = step.executor.distance_left;
       got_on = step.time;
     }
-    if (!task.keep_track) continue;
-    result.track.push_back({step.time, step.limited.wanted, step.limited.limited,
-                            loop.limiter().pathSpeed(step.twist),
-                            step.limited.limit.obstacle_distance, step.pose,
-                            static_cast<int>(step.limited.limit.cause)});
   }
   result.seconds = last;
   countContacts(loop, result);

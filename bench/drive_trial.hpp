@@ -14,7 +14,6 @@ struct DriveTask {
   int run = 0;
   std::uint64_t seed = 0;
   const RobotDescription* robot = nullptr;
-  bool keep_track = false;  ///< for a picture
 };
 
 struct DriveResult {
@@ -34,12 +33,6 @@ struct DriveResult {
   std::string too_near_to;
   double wall_seconds = 0.0;  ///< the computer's
   std::string last_text;      ///< why it did not get on
-  struct Sample {
-    double time, wanted, limited, measured, obstacle_distance;
-    Pose2 pose;
-    int cause;
-  };
-  std::vector<Sample> track;
 };
 
 /// @param max_seconds simulated; then the run counts as not reached.

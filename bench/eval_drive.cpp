@@ -106,7 +106,7 @@ int run(const EvalOptions& options) {
   std::vector<DriveTask> tasks;
   for (int i = 0; i < options.runs; ++i) {
     const auto& robot = fleet[static_cast<std::size_t>(i) % fleet.size()];
-    tasks.push_back({i, sim::mixSeed(options.seed, static_cast<std::uint64_t>(i)), &robot, false});
+    tasks.push_back({i, sim::mixSeed(options.seed, static_cast<std::uint64_t>(i)), &robot});
   }
   Totals totals;
   for (const DriveResult& result : driveAll(tasks)) {

@@ -10,7 +10,7 @@ namespace pilothouse::bench {
 namespace {
 
 std::string describe(const std::string& option) {
-  if (option == "--runs") return "  --runs N    how many scenes of each kind (default 20)";
+  if (option == "--runs") return "  --runs N    how many (default 20)";
   if (option == "--faults") return "  --faults N  how many faults (default 500)";
   if (option == "--appearances")
     return "  --appearances N  how many obstacles that appear (default 200)";

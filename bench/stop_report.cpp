@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kZeroP99 = 0.35, kZeroMost = 0.5, kUpMost = 5.0;  // [s]
 constexpr double kAppearanceP99 = 0.15, kAppearanceMost = 0.25;    // [s]
+constexpr double kResumeP99 = 0.5;                                 // [s]
 constexpr double kMoved = 0.01;  // less is the noise of standing still [m]
 
 std::vector<double> zeroTimes(const std::vector<StopResult>& results, const std::string& fault) {
@@ -97,10 +98,10 @@ StopSummary summaryOf(const std::vector<StopResult>& faults,
     summary.pass = quantile(zero, 0.99) <= kZeroP99 && quantile(zero, 1.0) <= kZeroMost &&
                    moved == 0 && quantile(up, 1.0) <= kUpMost;
   }
-  // No bar for the largest of a few: p99 of them is the largest.
   if (!appearances.empty()) {
     summary.pass = summary.pass && quantile(appeared, 0.99) <= kAppearanceP99 &&
-                   quantile(appeared, 1.0) <= kAppearanceMost;
+                   quantile(appeared, 1.0) <= kAppearanceMost && quantile(appeared, 0.0) >= 0.0 &&
+                   quantile(resumed, 0.99) <= kResumeP99;
   }
   line.truth("pass", summary.pass).whole("faults", faults.size());
   addTimes(line, zero);

@@ -13,12 +13,13 @@
 namespace pilothouse::bench {
 namespace {
 
-constexpr double kWatched = 1.2;  // so long after a fault it is left as it is [s]
-constexpr double kHeld = 0.5;     // and watched when all is well again, before arming [s]
-constexpr double kBrakes = 0.7;   // the base needs to stand still [s]
-constexpr double kFront = 0.25;   // of the robot's outline before its middle [m]
-constexpr double kGap = 0.95;     // within the stop distance, and where the camera can see [m]
-constexpr double kCurve = 0.6;    // of the circle it drives [1/m]
+constexpr double kWatched = 1.2;   // so long after a fault it is left as it is [s]
+constexpr double kHeld = 0.5;      // and watched when all is well again, before arming [s]
+constexpr double kBrakes = 0.7;    // the base needs to stand still [s]
+constexpr double kFront = 0.25;    // of the robot's outline before its middle [m]
+constexpr double kGap = 0.95;      // within the stop distance, and where the camera can see [m]
+constexpr double kDriving = 0.25;  // [m/s]
+constexpr double kCurve = 0.6;     // of the circle it drives [1/m]
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 double drawn(std::mt19937& random, double low, double high) {
@@ -85,10 +86,13 @@ StopResult tryFault(StopRig& rig, const StopFault& fault, std::mt19937& random) 
 AppearanceResult tryAppearance(StopRig& rig, std::mt19937& random) {
   BaseWatch& watch = rig.watch();
   AppearanceResult result;
-  rig.waitUntilDriving();
-  pause(drawn(random, 0.3, 1.0));
-  watch.clear();
-  const BaseWatch::Truth truth = watch.truthNow();
+  BaseWatch::Truth truth;
+  do {  // until it drives at the very moment
+    rig.waitUntilDriving();
+    pause(drawn(random, 0.3, 1.0));
+    watch.clear();
+    truth = watch.truthNow();
+  } while (!(truth.speed > kDriving));
   result.speed = truth.speed;
   const double ahead = kFront + kGap + 0.5 * kStopWorldBoxEdge;
   const Eigen::Vector2d spot =

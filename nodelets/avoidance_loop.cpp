@@ -22,6 +22,11 @@ std::vector<ObjectMerger::Ranger> rangersOf(const RobotDescription& robot) {
   return rangers;
 }
 
+/// A stamp that lies ahead would never grow old.
+bool isAhead(double stamp) {
+  return !(stamp <= ros::Time::now().toSec() + kJitter);
+}
+
 double ageOf(double stamp, double now) {
   return stamp > 0.0 ? now - stamp : kInfinite;
 }
@@ -73,6 +78,7 @@ std::string AvoidanceLoop::take(const nav_msgs::Odometry& odometry) {
   const auto motion = openOdometry(odometry);
   if (!motion) return motion.reason();
   const double stamp = odometry.header.stamp.toSec();
+  if (isAhead(stamp)) return "stamped ahead of the clock";
   if (stamp + kJitter < odometry_stamp_) clear();
   if (!merger_.odometry(stamp, motion->pose, motion->twist)) return "older than the one before";
   odometry_stamp_ = stamp;
@@ -83,8 +89,10 @@ std::string AvoidanceLoop::take(const nav_msgs::Odometry& odometry) {
 std::string AvoidanceLoop::take(std::size_t ranger, const sensor_msgs::Range& range) {
   const auto reading = openReading(range);
   if (!reading) return reading.reason();
-  if (merger_.range(ranger, range.header.stamp.toSec(), *reading)) return {};
-  return "a reading that means nothing";
+  const double stamp = range.header.stamp.toSec();
+  if (isAhead(stamp)) return "stamped ahead of the clock";
+  if (merger_.range(ranger, stamp, *reading)) return {};
+  return "a reading that means nothing, or is no newer than the one before";
 }
 
 std::string AvoidanceLoop::take(CommandChoice::Source source,
@@ -118,13 +126,13 @@ void AvoidanceLoop::step() {
   const CommandChoice::Wish wish = commands_.choose(steady);
   const auto pose = merger_.pose(now);
   LimiterInput input;
-  input.now = now;
   input.dt = steady - last_step_;
   last_step_ = steady;
   input.wanted = wish.twist;
   input.command_age = wish.age;
   input.measured = measured_;
-  input.odometry_age = ageOf(odometry_stamp_, now);
+  // Without a pose for now nothing that was seen can be placed: unknown means stop.
+  input.odometry_age = pose ? ageOf(odometry_stamp_, now) : kInfinite;
   input.perception_age = ageOf(stamps.perception, now);
   if (stopped_) limiter_.reset();
   const SpeedLimiter::Looked looked = [&](const Eigen::Vector2d& place) {

@@ -75,7 +75,7 @@ void Actors::walk(Actor& actor, double dt) {
   }
   actor.clock += actor.sense * dt;
   if (path.loop && last > first && actor.clock > last) actor.clock -= last - first;
-  if (actor.clock >= first) return;
+  if (actor.sense > 0.0 || actor.clock >= first) return;
   // Back where they began: they let the robot go first.
   actor.clock = first;
   actor.sense = 1.0;

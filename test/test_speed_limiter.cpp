@@ -250,6 +250,37 @@ TEST(SpeedRegulator, ThePidHoldsTheMeasuredSpeedAndDoesNotWindUp) {
   EXPECT_NEAR(speed, 0.4, 0.01);
 }
 
+TEST(SpeedRegulator, ANoisyMeasurementDoesNotSpurTheBase) {
+  const AvoidanceParameters parameters;
+  SpeedRegulator regulator(parameters, 0.32);
+  sim::Random random(3);
+  const double dt = 0.02;
+  double last = 0.0;
+  for (int i = 0; i < 2000; ++i) {
+    const Twist2 next = regulator.approach({0.5, 0.0, 0.0}, dt);
+    const double measured = last + (random.chance(0.3) ? random.uniform(-0.5, 0.5) : 0.0);
+    const Twist2 out = regulator.finish(next, next.vx, 10.0, measured, dt);
+    // The command's own acceleration and that of the trim.
+    EXPECT_LE((out.vx - last) / dt, 2.0 * parameters.acceleration + 1e-9) << i;
+    last = out.vx;
+  }
+}
+
+TEST(SpeedLimiter, TurningInPlaceBrakesWithWhatTheBaseTurnsWith) {
+  AvoidanceParameters parameters;
+  parameters.k = 20.0;  // the power limit out of the way
+  BaseParameters base = omnidirectional();
+  base.turn_acceleration = 1.0;
+  SpeedLimiter limiter(parameters, base, platform());
+  auto near = with({at(0.0, 0.30)});
+  const PathLimit limit = limiter.limitAlong({0.0, 0.0, 1.0}, near, nullptr);
+  EXPECT_EQ(limit.cause, LimitCause::kBraking);
+  const double reach = std::hypot(0.25, 0.20);
+  const double turn = limit.obstacle_distance / 0.30 - parameters.turn_clearance / 0.30;
+  const double w = limit.speed / reach;  // what it may turn with
+  EXPECT_NEAR(w * parameters.latency + w * w / (2.0 * base.turn_acceleration), turn, 1e-9);
+}
+
 /// A number of any kind: usual, huge, none at all.
 double wild(sim::Random& random) {
   switch (random.integer(0, 9)) {

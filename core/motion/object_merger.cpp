@@ -59,6 +59,7 @@ bool ObjectMerger::floor(const FloorFrame& frame) {
 bool ObjectMerger::range(std::size_t ranger, double stamp, const RangeReading& reading) {
   const Eigen::Isometry3d& T_base_ranger = rangers_.at(ranger).T_base_ranger;
   Seen& seen = seen_[ranger];
+  if (!(stamp > seen.stamp)) return false;
   if (!objectsOf(reading, T_base_ranger, kPiece, seen.objects)) return false;
   seen.stamp = stamp;
   for (auto& object : seen.objects) object.source = static_cast<std::uint8_t>(ranger + 1);
@@ -69,15 +70,6 @@ bool ObjectMerger::range(std::size_t ranger, double stamp, const RangeReading& r
   const Eigen::Vector3d axis = T_base_ranger.linear() * Eigen::Vector3d::UnitX();
   memory_.seenFree({at.x(), at.y(), pose->heading + std::atan2(axis.y(), axis.x())},
                    0.5 * kInner * reading.field_of_view, free, T_base_ranger.translation().z());
-  return true;
-}
-
-bool ObjectMerger::objects(std::size_t ranger, double stamp, const std::vector<Obstacle>& objects) {
-  Seen& seen = seen_.at(ranger);
-  if (!std::isfinite(stamp)) return false;
-  seen.stamp = stamp;
-  seen.objects = objects;
-  for (auto& object : seen.objects) object.source = static_cast<std::uint8_t>(ranger + 1);
   return true;
 }
 

@@ -30,9 +30,6 @@ class ObjectMerger {
   /// @param ranger index into the constructor's list. @return false for a reading that means
   /// nothing.
   bool range(std::size_t ranger, double stamp, const RangeReading& reading);
-  /// The objects of a ranger, as range() would find them, base frame at their stamp.
-  bool objects(std::size_t ranger, double stamp, const std::vector<Obstacle>& objects);
-
   /// Everything at `now`, valid until the next call. Objects of a source that is older than a
   /// second are left out; the age of each is told.
   const Surroundings& merge(double now);

@@ -67,13 +67,20 @@ double SpeedLimiter::slowingTo(double speed, double distance) const {
   return std::sqrt(speed * speed + 2.0 * avoidance_.acceleration * way);
 }
 
+/// What the base can always brake the path speed with, travelling and turning together.
+double SpeedLimiter::decelerationAlong(const Twist2& unit) const {
+  return std::min(base_.deceleration / std::max(1e-6, unit.linear()),
+                  base_.turn_acceleration / std::max(1e-6, std::abs(unit.w)));
+}
+
 void SpeedLimiter::holdBefore(const Obstacle& object, const SweptPath::Contact& contact,
-                              double stop, PathLimit& limit) const {
+                              const Braking& brake, PathLimit& limit) const {
   limit.obstacle_distance = std::min(limit.obstacle_distance, contact.distance);
-  const double free = contact.distance - stop;
+  const double free = contact.distance - brake.stop;
   const double power = base_.max_speed * powerLimit(free, avoidance_.n, avoidance_.k);
+  // The touching point goes `speed` of the path's speed, so its way is that share of the path's.
   const double braking =
-      brakingBound(free, avoidance_.latency, base_.deceleration) / std::max(1e-3, contact.speed);
+      brakingBound(free / std::max(1e-3, contact.speed), avoidance_.latency, brake.deceleration);
   lower(limit, power, LimitCause::kObstacle, contact.distance, object);
   lower(limit, braking, LimitCause::kBraking, contact.distance, object);
 }
@@ -96,6 +103,7 @@ void SpeedLimiter::meetObjects(const SweptPath& path, const Twist2& unit,
   const double travel = std::min(1.0, 2.0 * unit.linear());
   const double stop = avoidance_.turn_clearance +
                       travel * std::max(0.0, avoidance_.stop_distance - avoidance_.turn_clearance);
+  const Braking brake{stop, decelerationAlong(unit)};
   for (Obstacle& object : surroundings.objects) {
     const auto contact =
         path.meet(object.position.cast<double>(), 0.5 * static_cast<double>(object.size));
@@ -107,7 +115,7 @@ void SpeedLimiter::meetObjects(const SweptPath& path, const Twist2& unit,
       object.relevance =
           contact.relevance == Relevance::kInTheWay ? Relevance::kPotential : Relevance::kOther;
     } else if (contact.relevance == Relevance::kInTheWay) {
-      holdBefore(object, contact, stop, limit);
+      holdBefore(object, contact, brake, limit);
     } else {
       goSlowly(object, contact, limit);
     }
@@ -116,11 +124,12 @@ void SpeedLimiter::meetObjects(const SweptPath& path, const Twist2& unit,
 
 // The places that the leading part of the outline will stand on, as far as the robot goes until it
 // stands still from the speed that is allowed so far.
-void SpeedLimiter::lookAhead(const SweptPath& path, const Looked& looked, PathLimit& limit) const {
+void SpeedLimiter::lookAhead(const SweptPath& path, const Twist2& unit, const Looked& looked,
+                             PathLimit& limit) const {
+  const double deceleration = decelerationAlong(unit);
   const double speed = std::min(limit.speed, base_.max_speed);
   if (!looked || speed <= avoidance_.unseen_speed) return;
-  const double until =
-      speed * avoidance_.latency + speed * speed / (2.0 * base_.deceleration) + kBeyond;
+  const double until = speed * avoidance_.latency + speed * speed / (2.0 * deceleration) + kBeyond;
   for (double way = kStep; way < until + kStep; way += kStep) {
     const Pose2 pose = path.poseAfter(way), before = path.poseAfter(way - kStep);
     int places = 0, seen = 0;
@@ -139,7 +148,7 @@ void SpeedLimiter::lookAhead(const SweptPath& path, const Looked& looked, PathLi
     const double most = slowingTo(avoidance_.unseen_speed, way - kStep);
     const double allowed = avoidance_.unseen_speed > 0.0
                                ? most
-                               : brakingBound(way - kStep, avoidance_.latency, base_.deceleration);
+                               : brakingBound(way - kStep, avoidance_.latency, deceleration);
     if (allowed >= limit.speed) return;
     limit.speed = allowed;
     limit.cause = LimitCause::kUnseen;
@@ -163,7 +172,7 @@ PathLimit SpeedLimiter::limitAlong(const Twist2& twist, Surroundings& surroundin
   const Twist2 unit = speed > 0.0 ? (1.0 / speed) * twist : Twist2{};
   const SweptPath path(footprint_, twist, avoidance_.margin, avoidance_.look_ahead);
   meetObjects(path, unit, surroundings, limit);
-  if (speed > 0.0) lookAhead(path, looked, limit);
+  if (speed > 0.0) lookAhead(path, unit, looked, limit);
   return limit;
 }
 

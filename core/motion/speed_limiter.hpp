@@ -41,14 +41,12 @@ struct PathLimit {
 };
 
 struct LimiterInput {
-  double now = 0.0;             ///< [s], rising
   double dt = 0.02;             ///< since the last step [s]
   Twist2 wanted;                ///< base frame
   double command_age = 0.0;     ///< [s]; beyond the input timeout the command counts as zero
   Twist2 measured;              ///< by odometry
   double odometry_age = 0.0;    ///< [s]
   double perception_age = 0.0;  ///< of the oldest sensor that safety needs [s]
-  std::string stale_sensor;     ///< its name
 };
 
 struct LimitedCommand {
@@ -82,12 +80,18 @@ class SpeedLimiter {
   double pathSpeed(const Twist2& twist) const { return SweptPath::speedOf(footprint_, twist); }
 
  private:
+  struct Braking {
+    double stop;          ///< distance before things at which the robot stands [m]
+    double deceleration;  ///< of the path speed [m/s^2]
+  };
   void meetObjects(const SweptPath& path, const Twist2& unit, Surroundings& surroundings,
                    PathLimit& limit) const;
-  void holdBefore(const Obstacle& object, const SweptPath::Contact& contact, double stop,
+  void holdBefore(const Obstacle& object, const SweptPath::Contact& contact, const Braking& braking,
                   PathLimit& limit) const;
   void goSlowly(const Obstacle& object, const SweptPath::Contact& contact, PathLimit& limit) const;
-  void lookAhead(const SweptPath& path, const Looked& looked, PathLimit& limit) const;
+  void lookAhead(const SweptPath& path, const Twist2& unit, const Looked& looked,
+                 PathLimit& limit) const;
+  double decelerationAlong(const Twist2& unit) const;
   double slowingTo(double speed, double distance) const;
 
   AvoidanceParameters avoidance_;

@@ -29,7 +29,7 @@ void SpeedRegulator::setParameters(const AvoidanceParameters& parameters) {
 
 void SpeedRegulator::reset() {
   command_ = acceleration_ = {};
-  integral_ = last_error_ = 0.0;
+  integral_ = last_error_ = last_trim_ = 0.0;
 }
 
 Twist2 SpeedRegulator::approach(const Twist2& wanted, double dt) {
@@ -74,7 +74,10 @@ Twist2 SpeedRegulator::finish(const Twist2& command, double speed, double limit,
   const double raw = parameters_.kp * error + parameters_.ki * integral_ +
                      parameters_.kd * (error - last_error_) / dt;
   const double bound = kMostTrim * allowed;
-  const double trim = std::clamp(raw, -bound, bound);
+  // It grows no faster than the command may; shrinking is free.
+  const double trim =
+      std::clamp(std::min(raw, last_trim_ + parameters_.acceleration * dt), -bound, bound);
+  last_trim_ = trim;
   // Anti-windup: nothing is gathered while the output is held by its bound or by the limit.
   const bool held = raw != trim || (limited && error > 0.0);
   if (!held || raw * error < 0.0) integral_ += error * dt;

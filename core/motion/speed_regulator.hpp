@@ -32,6 +32,7 @@ class SpeedRegulator {
   Twist2 acceleration_;  ///< of the command
   double integral_ = 0.0;
   double last_error_ = 0.0;
+  double last_trim_ = 0.0;  ///< [m/s]
 };
 
 }  // namespace pilothouse

@@ -9,9 +9,9 @@ namespace pilothouse::gui {
 
 namespace {
 
-constexpr double kStep = 0.06;      // m between outlines
-constexpr double kMostTurn = 3.14;  // rad
-constexpr double kStands = 1e-4;    // m/s, rad/s
+constexpr double kStep = 0.06;     // m between outlines
+constexpr double kMostTurn = 1.2;  // rad, as far as the limiter looks along an arc
+constexpr double kStands = 1e-4;   // m/s, rad/s
 
 Pose2 poseAfter(const Footprint& footprint, const Twist2& twist, double way) {
   const double speed = SweptPath::speedOf(footprint, twist);
