@@ -139,7 +139,10 @@ TEST(Drive, SlowsBesideThingsStandsBeforeABoxAndGoesOnWhenItIsGone) {
   Chain chain;
   ASSERT_TRUE(chain.load());
   chain.drive(4.5, 0.0);
-  ASSERT_TRUE(chain.driveUntil([&] { return chain.route_state.state == RouteState::WAITING; }));
+  ASSERT_TRUE(chain.spinUntil([&] {
+    return chain.route_state.state == RouteState::WAITING &&
+           chain.route_state.text.find("stop gate") != std::string::npos;
+  }));
   EXPECT_NE(chain.route_state.text.find("stop gate"), std::string::npos) << chain.route_state.text;
   EXPECT_NEAR(chain.x(), 0.0, 0.02) << "nothing moves before it is armed";
   ASSERT_TRUE(chain.arm());

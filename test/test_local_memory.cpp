@@ -91,6 +91,24 @@ TEST(LocalMemory, ForgetsWhatIsSeenFreeAgain) {
   EXPECT_TRUE(collected(memory, {}, 0.066).empty());
 }
 
+// A box at the near rim: its front is nearer than the camera sees, only its foot is left, and that
+// looks like floor. What stands behind stays hidden.
+TEST(LocalMemory, KeepsWhatShowsOnlyItsFoot) {
+  LocalMemory memory({}, outline());
+  View with, foot;
+  with.putBox({}, {1.5, 0.0});
+  for (int ix = 0; ix < foot.geometry.size_x; ++ix) {
+    for (int iy = 0; iy < foot.geometry.size_y; ++iy) {
+      const bool shadow =
+          foot.geometry.centreX(ix) > 1.45F && std::abs(foot.geometry.centreY(iy)) < 0.3F;
+      if (shadow) foot.classes[foot.geometry.index(ix, iy)] = CellClass::kUnknown;
+    }
+  }
+  memory.add(with.frame(0.0), {});
+  for (int i = 1; i < 10; ++i) memory.add(foot.frame(0.033 * i), {});
+  EXPECT_NEAR(nearest(collected(memory, {}, 0.4)), 1.42, 0.06) << "its front row";
+}
+
 TEST(LocalMemory, KeepsWhatIsOnlyHidden) {
   LocalMemory memory({}, outline());
   View with, hidden;

@@ -312,7 +312,7 @@ TEST(MotionExecutor, HeldByWhatIsOnlyRememberedItGoesBackToLookThreeTimesThenWai
       EXPECT_GE(distance, 0.3);
       EXPECT_LE(distance, 0.4);
     }
-    EXPECT_LE(fastest_back, 0.1 + 1e-9);
+    EXPECT_LE(fastest_back, 0.15 + 1e-9);
     EXPECT_EQ(output.state, ExecutorState::kWaiting);
     EXPECT_EQ(output.text, "a box; looked again 3 times");
     int waited = 0;
@@ -320,8 +320,8 @@ TEST(MotionExecutor, HeldByWhatIsOnlyRememberedItGoesBackToLookThreeTimesThenWai
       output = held.step();
       ++waited;
     }
-    EXPECT_GT(waited, 50 * 4) << "for a while";
-    EXPECT_LT(waited, 50 * 8) << "but not for good";
+    EXPECT_GT(waited, 50 * 2) << "for a while";
+    EXPECT_LT(waited, 50 * 5) << "but not for good";
   }
 }
 

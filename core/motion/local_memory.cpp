@@ -54,6 +54,19 @@ bool standsAlone(const FloorFrame& frame, int ix, int iy) {
   return true;
 }
 
+/// Whether the place right behind (x, y), as seen from the base's origin, was not seen.
+bool hidesBehind(const FloorFrame& frame, double x, double y) {
+  const GridGeometry& g = frame.geometry;
+  const double size = static_cast<double>(g.cell_size), distance = std::hypot(x, y);
+  for (const double farther : {1.5 * size, 3.0 * size}) {
+    const double scale = 1.0 + farther / std::max(size, distance);
+    const int ix = static_cast<int>(std::floor((scale * x - static_cast<double>(g.x_min)) / size));
+    const int iy = static_cast<int>(std::floor((scale * y - static_cast<double>(g.y_min)) / size));
+    if (g.contains(ix, iy) && frame.classes[g.index(ix, iy)] == CellClass::kUnknown) return true;
+  }
+  return false;
+}
+
 /// Cells of the endless grid that may hold something of a box round these points.
 struct CellBox {
   std::int32_t x0, y0, x1, y1;
@@ -173,6 +186,12 @@ void LocalMemory::look(const FloorFrame& frame, const Pose2& pose) {
       Cell& cell = at(ix, iy);
       if (cell.frame == frame_) continue;  // an object was marked here
       if (!isDrivable(kind)) {             // it was marked in a neighbour
+        cell.seen = now;
+        continue;
+      }
+      // Of a thing at the rim of the view the camera may see no more than its foot, which looks
+      // like floor: it is gone only where what lies behind it can be seen.
+      if (isObject(cell.kind) && hidesBehind(frame, x0 + size * fx, y0 + size * fy)) {
         cell.seen = now;
         continue;
       }

@@ -17,9 +17,9 @@ struct ExecutorParameters {
   HeadingMode heading = HeadingMode::kFree;
   double position_tolerance = 0.03;  ///< at the end [m], 0.005..1
   double heading_tolerance = 0.03;   ///< at the end, where a heading is given [rad], 0.005..1
-  double patience = 1.0;        ///< held so long by something remembered it looks again [s], 0..600
+  double patience = 0.5;        ///< held so long by something remembered it looks again [s], 0..600
   double back_distance = 0.35;  ///< goes back so far to look [m], 0..2
-  double back_speed = 0.1;      ///< [m/s], 0.01..1
+  double back_speed = 0.15;     ///< [m/s], 0.01..1
   int looks = 3;                ///< so often at most before it waits for good, 0..100
 };
 
