@@ -139,7 +139,7 @@ TEST(Drive, SlowsBesideThingsStandsBeforeABoxAndGoesOnWhenItIsGone) {
   Chain chain;
   ASSERT_TRUE(chain.load());
   chain.drive(4.5, 0.0);
-  ASSERT_TRUE(chain.spinUntil([&] {
+  ASSERT_TRUE(spinUntil([&] {
     return chain.route_state.state == RouteState::WAITING &&
            chain.route_state.text.find("stop gate") != std::string::npos;
   }));

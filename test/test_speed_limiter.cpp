@@ -266,6 +266,21 @@ TEST(SpeedRegulator, ANoisyMeasurementDoesNotSpurTheBase) {
   }
 }
 
+TEST(SpeedLimiter, TurningInPlaceBrakesWithWhatTheBaseTurnsWith) {
+  AvoidanceParameters parameters;
+  parameters.k = 20.0;  // the power limit out of the way
+  BaseParameters base = omnidirectional();
+  base.turn_acceleration = 1.0;
+  SpeedLimiter limiter(parameters, base, platform());
+  auto near = with({at(0.0, 0.30)});
+  const PathLimit limit = limiter.limitAlong({0.0, 0.0, 1.0}, near, nullptr);
+  EXPECT_EQ(limit.cause, LimitCause::kBraking);
+  const double reach = std::hypot(0.25, 0.20);
+  const double turn = limit.obstacle_distance / 0.30 - parameters.turn_clearance / 0.30;
+  const double w = limit.speed / reach;  // what it may turn with
+  EXPECT_NEAR(w * parameters.latency + w * w / (2.0 * base.turn_acceleration), turn, 1e-6);
+}
+
 /// A number of any kind: usual, huge, none at all.
 double wild(sim::Random& random) {
   switch (random.integer(0, 9)) {
