@@ -138,6 +138,8 @@ std::vector<std::string> transportsOf(const std::string& topic) {
 TEST(Drive, SlowsBesideThingsStandsBeforeABoxAndGoesOnWhenItIsGone) {
   Chain chain;
   ASSERT_TRUE(chain.load());
+  // A route that comes before the first odometry is refused.
+  ASSERT_TRUE(spinUntil([&] { return chain.gate.can_arm; }));
   chain.drive(4.5, 0.0);
   ASSERT_TRUE(spinUntil([&] {
     return chain.route_state.state == RouteState::WAITING &&
