@@ -3,7 +3,9 @@
 #include <pilothouse/RouteState.h>
 #include <tf2_ros/transform_listener.h>
 #include <chrono>
+#include <iomanip>
 #include <pluginlib/class_list_macros.hpp>
+#include <sstream>
 
 #include "doors/guarded_subscriber.hpp"
 #include "doors/motion_views.hpp"
@@ -34,6 +36,7 @@ class MotionExecutorNodelet : public nodelet::Nodelet {
       if (!motion) return motion.reason();
       if (odometry.header.frame_id != odom_frame_) return "in another frame than " + odom_frame_;
       T_odom_base_ = motion->pose;
+      moved_at_ = steadyNow();
       return std::string();
     });
     subscribe<nav_msgs::Path>("route", route_health_,
@@ -110,10 +113,17 @@ class MotionExecutorNodelet : public nodelet::Nodelet {
   /// The base's newest pose in a frame. @param fault why not
   std::optional<Pose2> poseIn(const std::string& frame, std::string& fault) {
     if (!T_odom_base_) return std::nullopt;
+    fault = tooOld("odometry", steadyNow() - moved_at_, kOldestOdometry);
+    if (!fault.empty()) return std::nullopt;
     if (frame == odom_frame_) return T_odom_base_;
     try {
       // The newest: a frame that is corrected now and then must be right now.
       const auto transform = transforms_.lookupTransform(frame, odom_frame_, ros::Time(0));
+      // Stamp zero: it never changes.
+      if (!transform.header.stamp.isZero())
+        fault = tooOld("transform from \"" + odom_frame_ + "\" to \"" + frame.substr(0, 64) + "\"",
+                       (ros::Time::now() - transform.header.stamp).toSec(), kOldestTransform);
+      if (!fault.empty()) return std::nullopt;
       const auto& q = transform.transform.rotation;
       const auto& t = transform.transform.translation;
       const Pose2 T_frame_odom{t.x, t.y, 2.0 * std::atan2(q.z, q.w)};
@@ -123,6 +133,14 @@ class MotionExecutorNodelet : public nodelet::Nodelet {
       fault = "frame \"" + frame.substr(0, 64) + "\": " + unknown.what();
       return std::nullopt;
     }
+  }
+
+  static std::string tooOld(const std::string& what, double age, double limit) {
+    if (age <= limit) return {};
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(1) << what << " is " << age << " s old, limit " << limit
+         << " s";
+    return text.str();
   }
 
   void step() {
@@ -183,8 +201,10 @@ class MotionExecutorNodelet : public nodelet::Nodelet {
         .count();
   }
 
-  static constexpr double kLingering = 2.0;  ///< zeros after the end of a route [s]
-  static constexpr int kSaidEvery = 3;       ///< steps between states that say nothing new
+  static constexpr double kOldestOdometry = 0.3;   ///< since it came in [s]
+  static constexpr double kOldestTransform = 0.5;  ///< since its stamp [s]
+  static constexpr double kLingering = 2.0;        ///< zeros after the end of a route [s]
+  static constexpr int kSaidEvery = 3;             ///< steps between states that say nothing new
 
   std::string base_frame_ = "base_link", odom_frame_ = "odom", frame_;
   std::unique_ptr<MotionExecutor> executor_;
@@ -193,7 +213,7 @@ class MotionExecutorNodelet : public nodelet::Nodelet {
   std::optional<Pose2> T_odom_base_;
   ExecutorOutput last_;
   std::size_t points_ = 0;
-  double busy_until_ = -1.0;
+  double busy_until_ = -1.0, moved_at_ = 0.0;
   int unsaid_ = 0;
   bool refused_ = false;  ///< idle since a route was refused: that stays said
   InputHealth odometry_health_{"odom", 1.0}, route_health_{"route", 1e9};

@@ -7,6 +7,7 @@
 #include <pilothouse/SpeedLimit.h>
 #include <pilothouse/StopState.h>
 #include <sensor_msgs/Range.h>
+#include <tf2_ros/transform_broadcaster.h>
 
 #include <limits>
 
@@ -69,7 +70,15 @@ class MotionHarness {
     odometry.header.frame_id = "odom";
     odometry.pose.pose.position.x = x;
     odometry.pose.pose.orientation.w = 1.0;
-    odometry_.publish(odometry);
+    if (wheels) odometry_.publish(odometry);
+    if (localised) {
+      geometry_msgs::TransformStamped transform;
+      transform.header.stamp = now;
+      transform.header.frame_id = "hall";
+      transform.child_frame_id = "odom";
+      transform.transform.rotation.w = 1.0;
+      transforms_.sendTransform(transform);
+    }
     auto grid = boost::make_shared<FloorGrid>();
     grid->header.stamp = now;
     grid->header.frame_id = "base_link";
@@ -124,7 +133,8 @@ class MotionHarness {
 
   double x = 0.0, teleop = 0.0, task = 0.0;
   float front = std::numeric_limits<float>::infinity();
-  bool camera = true;
+  bool camera = true, wheels = true;
+  bool localised = false;  ///< somebody says where the robot is in the frame hall
   SpeedLimit limit;
   geometry_msgs::TwistStamped limited, wanted;
   RouteState route_state;
@@ -142,6 +152,7 @@ class MotionHarness {
   }
   ros::NodeHandle handle_;
   ros::Publisher odometry_, grid_, front_, rear_, teleop_, task_, route_, stop_;
+  tf2_ros::TransformBroadcaster transforms_;
   std::vector<ros::Subscriber> subscribers_;
   ros::Subscriber diagnostics_;
   std::map<std::string, std::string> said_;
@@ -261,6 +272,35 @@ TEST(ExecutorNodelet, RefusesWhatIsNoRouteAndSaysWhy) {
   refused({{1.0, 0.0}, {std::nan(""), 0.0}}, "odom", "point 1 is nan");
   refused({{1.0, 0.0}}, "moon", "frame \"moon\"");
   refused({{1.0, 0.0}}, "", "frame \"\"");
+}
+
+/// A robot that drives in a frame, whose pose then falls silent: it waits, and says why.
+void expectWaitsWithout(bool MotionHarness::*input, const std::string& frame,
+                        const std::string& reason) {
+  MotionHarness robot;
+  robot.localised = true;
+  ASSERT_TRUE(robot.load("executor", "MotionExecutor"));
+  const auto drives = [&] { return robot.wanted.twist.linear.x > 0.05; };
+  ASSERT_TRUE(robot.runUntil([&] {
+    if (robot.route_state.state == RouteState::IDLE ||
+        robot.route_state.state == RouteState::REFUSED)
+      robot.drive({{2.0, 0.0}}, frame);
+    return drives();
+  })) << robot.route_state.text;
+  robot.*input = false;
+  ASSERT_TRUE(robot.runUntil([&] { return robot.route_state.state == RouteState::WAITING; }));
+  EXPECT_NE(robot.route_state.text.find(reason), std::string::npos) << robot.route_state.text;
+  ASSERT_TRUE(robot.runUntil([&] { return robot.wanted.twist.linear.x == 0.0; }));
+  robot.*input = true;
+  EXPECT_TRUE(robot.runUntil(drives)) << "it goes on";
+}
+
+TEST(ExecutorNodelet, WaitsWhileOdometryIsSilent) {
+  expectWaitsWithout(&MotionHarness::wheels, "odom", "odometry is 0.");
+}
+
+TEST(ExecutorNodelet, WaitsWhileItsFrameIsSilent) {
+  expectWaitsWithout(&MotionHarness::localised, "hall", "from \"odom\" to \"hall\" is 0.");
 }
 
 TEST(ExecutorNodelet, WaitsWhileTheGateIsStoppedAndSaysSo) {
