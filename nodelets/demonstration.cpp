@@ -44,6 +44,9 @@ class Demonstration : public nodelet::Nodelet {
         handle, "stop_state", 1,
         [this](const StopState::ConstPtr& state) {
           can_arm_ = state->can_arm;
+          if (state->state == StopState::STOPPED && state->cause == StopState::OPERATOR) {
+            forbidden_ = true;  // a person stopped: arming is theirs, also the first time
+          }
           if (!can_arm_) {
             NODELET_INFO_STREAM_THROTTLE(5.0,
                                          "demonstration: waits: " << state->obstacle_to_arming);
@@ -54,13 +57,13 @@ class Demonstration : public nodelet::Nodelet {
   }
 
   void start() {
-    if (!route_ || !can_arm_ || arming_.joinable()) return;
+    if (!route_ || !can_arm_ || forbidden_ || arming_.joinable()) return;
     // In a thread of its own: the service's answer may take a while.
     arming_ = std::thread([this, route = route_] { drive(route); });
   }
 
   void drive(const nav_msgs::Path::ConstPtr& route) {
-    while (!ending_ && ros::ok()) {
+    for (int tries = 0; tries < kTries && !ending_ && !forbidden_ && ros::ok(); ++tries) {
       std_srvs::Trigger trigger;
       if (arm_.call(trigger) && trigger.response.success) {
         output_.publish(route);
@@ -70,6 +73,7 @@ class Demonstration : public nodelet::Nodelet {
       NODELET_INFO_STREAM("demonstration: not armed yet: " << trigger.response.message);
       ros::WallDuration(0.5).sleep();
     }
+    NODELET_WARN("demonstration: did not get the gate armed; arm it and send a route by hand");
   }
 
   ros::ServiceClient arm_;
@@ -78,7 +82,9 @@ class Demonstration : public nodelet::Nodelet {
   nav_msgs::Path::ConstPtr route_;
   bool can_arm_ = false;
   std::thread arming_;
+  static constexpr int kTries = 120;  ///< half a second each
   std::atomic<bool> ending_{false};
+  std::atomic<bool> forbidden_{false};  ///< an operator's stop was seen
 };
 
 }  // namespace pilothouse
