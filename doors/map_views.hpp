@@ -1,0 +1,18 @@
+#pragma once
+
+#include <pilothouse/MapGrid.h>
+
+#include "core/cloud/checked.hpp"
+#include "core/mapping/map_cells.hpp"
+
+namespace pilothouse {
+
+/// A map that came as a message, checked: its cells are there, its place is finite and within
+/// 10 km, and no class is unknown. A refusal names the thing, its value and what was expected.
+Checked<MapCells> openMap(const MapGrid& grid);
+
+/// @param stamp, frame of the message's header.
+MapGrid::Ptr toMessage(const MapCells& map, const std::string& frame, const ros::Time& stamp,
+                       std::uint32_t version);
+
+}  // namespace pilothouse
