@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/motion/hides_behind.hpp"
+
 namespace pilothouse {
 namespace {
 
@@ -52,19 +54,6 @@ bool standsAlone(const FloorFrame& frame, int ix, int iy) {
     }
   }
   return true;
-}
-
-/// Whether the place right behind (x, y), as seen from the base's origin, was not seen.
-bool hidesBehind(const FloorFrame& frame, double x, double y) {
-  const GridGeometry& g = frame.geometry;
-  const double size = static_cast<double>(g.cell_size), distance = std::hypot(x, y);
-  for (const double farther : {1.5 * size, 3.0 * size}) {
-    const double scale = 1.0 + farther / std::max(size, distance);
-    const int ix = static_cast<int>(std::floor((scale * x - static_cast<double>(g.x_min)) / size));
-    const int iy = static_cast<int>(std::floor((scale * y - static_cast<double>(g.y_min)) / size));
-    if (g.contains(ix, iy) && frame.classes[g.index(ix, iy)] == CellClass::kUnknown) return true;
-  }
-  return false;
 }
 
 /// Cells of the endless grid that may hold something of a box round these points.
