@@ -17,13 +17,15 @@ std::string describe(const std::string& option) {
   if (option == "--seed") return "  --seed S    start of the random numbers (default 1)";
   if (option == "--data")
     return "  --data DIR  folder of recordings, searched with all its folders";
+  if (option == "--bag") return "  --bag FILE  a recording";
   return "  --out DIR   draw pictures into DIR";
 }
 
 void printHelp(const EvalCommand& command) {
   std::cout << "usage: " << command.name;
   for (const auto& option : command.options) {
-    std::cout << " [" << option << (option == "--data" || option == "--out" ? " DIR]" : " N]");
+    const bool folder = option == "--data" || option == "--out";
+    std::cout << " [" << option << (folder ? " DIR]" : option == "--bag" ? " FILE]" : " N]");
   }
   std::cout << "\n" << command.purpose << "\n";
   for (const auto& option : command.options) std::cout << describe(option) << "\n";
@@ -74,12 +76,17 @@ EvalOptions readOptions(const EvalCommand& command, int argc, char** argv) {
       options.seed = readNumber(command, option, value, 0, ~std::uint64_t{0});
     } else if (option == "--data") {
       options.data = value;
+    } else if (option == "--bag") {
+      options.bag = value;
     } else {
       options.out = value;
     }
   }
   if (!options.data.empty() && !std::filesystem::is_directory(options.data)) {
     refuse(command, "--data is '" + options.data + "', expected a folder");
+  }
+  if (!options.bag.empty() && !std::filesystem::is_regular_file(options.bag)) {
+    refuse(command, "--bag is '" + options.bag + "', expected a file");
   }
   std::error_code fault;
   if (!options.out.empty()) std::filesystem::create_directories(options.out, fault);

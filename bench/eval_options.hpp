@@ -13,6 +13,7 @@ struct EvalOptions {
   int appearances = 200;
   std::uint64_t seed = 1;
   std::string data;  ///< folder of recordings; empty: not given
+  std::string bag;   ///< a recording; empty: not given
   std::string out;   ///< folder for pictures; empty: none
 };
 
@@ -20,7 +21,7 @@ struct EvalOptions {
 struct EvalCommand {
   std::string name;
   std::string purpose;
-  std::vector<std::string> options;  ///< of --runs --faults --appearances --seed --data --out
+  std::vector<std::string> options;  ///< of --runs --faults --appearances --seed --data --bag --out
 };
 
 /// Reads the command line. --help prints and exits with 0; a fault prints one line and exits

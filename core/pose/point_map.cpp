@@ -1,0 +1,96 @@
+#include "core/pose/point_map.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+namespace pilothouse {
+namespace {
+
+constexpr int kFewest = 5;           // points for a line
+constexpr double kNarrow = 0.1;      // of a line: variance across / along
+constexpr double kEdgeRadius = 3.2;  // of a given map, in its cells
+
+}  // namespace
+
+void PointMap::add(const std::vector<Eigen::Vector2d>& points, const Pose2& pose) {
+  for (const Eigen::Vector2d& point : points) {
+    const Eigen::Vector2d place = pose * point;
+    const auto [found, is_new] =
+        squares_.try_emplace(keyOf(column(place.x()), column(place.y())), Square{place, 1});
+    Square& square = found->second;
+    if (is_new || square.sightings >= parameters_.most_sightings) continue;
+    ++square.sightings;
+    square.mean += (place - square.mean) / static_cast<double>(square.sightings);
+  }
+  if (squares_.size() > parameters_.most) forgetFar(pose.position());
+}
+
+void PointMap::forgetFar(const Eigen::Vector2d& from) {
+  std::vector<double> distances;
+  distances.reserve(squares_.size());
+  for (const auto& entry : squares_) distances.push_back((entry.second.mean - from).squaredNorm());
+  // A tenth fewer than allowed, so that this is not needed for every scan.
+  const auto limit = distances.begin() + static_cast<std::ptrdiff_t>(parameters_.most / 10 * 9);
+  std::nth_element(distances.begin(), limit, distances.end());
+  for (auto entry = squares_.begin(); entry != squares_.end();) {
+    const bool far = (entry->second.mean - from).squaredNorm() >= *limit;
+    entry = far ? squares_.erase(entry) : std::next(entry);
+  }
+}
+
+Eigen::Vector2d PointMap::normalAt(const Eigen::Vector2d& place) const {
+  const int reach = static_cast<int>(std::ceil(parameters_.line_radius / parameters_.cell));
+  const std::int32_t middle_x = column(place.x()), middle_y = column(place.y());
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  Eigen::Matrix2d squares = Eigen::Matrix2d::Zero();
+  int count = 0;
+  for (int y = -reach; y <= reach; ++y) {
+    for (int x = -reach; x <= reach; ++x) {
+      const auto found = squares_.find(keyOf(middle_x + x, middle_y + y));
+      if (found == squares_.end()) continue;
+      const Eigen::Vector2d offset = found->second.mean - place;
+      if (offset.norm() > parameters_.line_radius) continue;
+      sum += offset;
+      squares += offset * offset.transpose();
+      ++count;
+    }
+  }
+  if (count < kFewest) return Eigen::Vector2d::Zero();
+  const Eigen::Vector2d mean = sum / count;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(squares / count -
+                                                            mean * mean.transpose());
+  if (axes.eigenvalues()(0) > kNarrow * axes.eigenvalues()(1)) return Eigen::Vector2d::Zero();
+  return axes.eigenvectors().col(0);
+}
+
+std::vector<MapPoint> PointMap::points() const {
+  std::vector<MapPoint> points;
+  points.reserve(squares_.size());
+  for (const auto& entry : squares_) {
+    points.push_back({entry.second.mean, normalAt(entry.second.mean)});
+  }
+  return points;
+}
+
+std::vector<MapPoint> edgesOf(const MapCells& map) {
+  PointMapParameters parameters;
+  parameters.cell = map.cell_size;
+  parameters.line_radius = kEdgeRadius * map.cell_size;
+  parameters.most = map.cells.size() + 1;
+  std::vector<Eigen::Vector2d> edges;
+  for (int y = 0; y < map.size_y; ++y) {
+    for (int x = 0; x < map.size_x; ++x) {
+      if (map.at(x, y) != MapCell::kOccupied) continue;
+      const bool inside =
+          map.at(x - 1, y) == MapCell::kOccupied && map.at(x + 1, y) == MapCell::kOccupied &&
+          map.at(x, y - 1) == MapCell::kOccupied && map.at(x, y + 1) == MapCell::kOccupied;
+      if (!inside) edges.emplace_back(map.centreX(x), map.centreY(y));
+    }
+  }
+  PointMap points(parameters);
+  points.add(edges, Pose2{});
+  return points.points();
+}
+
+}  // namespace pilothouse
