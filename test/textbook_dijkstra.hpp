@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <queue>
+#include <utility>
+#include <vector>
+
+#include "core/planning/grid_search.hpp"
+
+namespace pilothouse {
+
+/// Dijkstra's algorithm as books have it: a binary heap, eight neighbours, ends at the goal. The
+/// plain version that the planner's search is held against, with the same costs.
+inline std::optional<std::uint32_t> textbookDijkstra(const CostField& field, const Cell& start,
+                                                     const Cell& goal) {
+  using Entry = std::pair<std::uint32_t, std::uint32_t>;  // cost, cell
+  const auto& weights = field.weights();
+  std::vector<std::uint32_t> costs(weights.size(), std::numeric_limits<std::uint32_t>::max());
+  std::vector<std::uint32_t> parents(weights.size(), 0);
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+  const std::uint32_t end = field.index(goal.x, goal.y);
+  const int stride = field.stride();
+  costs[field.index(start.x, start.y)] = 0;
+  queue.push({0, field.index(start.x, start.y)});
+  while (!queue.empty()) {
+    const auto [cost, cell] = queue.top();
+    queue.pop();
+    if (cost > costs[cell]) continue;
+    if (cell == end) return cost;
+    const auto weightAt = [&](int dx, int dy) -> std::uint32_t {
+      return weights[static_cast<std::size_t>(static_cast<int>(cell) + dy * stride + dx)];
+    };
+    for (int dy = -1; dy <= 1; ++dy) {
+      for (int dx = -1; dx <= 1; ++dx) {
+        if ((dx == 0 && dy == 0) || weightAt(dx, dy) == 0) continue;
+        const bool slant = dx != 0 && dy != 0;
+        if (slant && (weightAt(dx, 0) == 0 || weightAt(0, dy) == 0)) continue;
+        const auto next = static_cast<std::uint32_t>(static_cast<int>(cell) + dy * stride + dx);
+        const std::uint32_t step = (slant ? GridSearch::kSlant : GridSearch::kStraight) *
+                                   (weights[cell] + weightAt(dx, dy));
+        if (cost + step >= costs[next]) continue;
+        costs[next] = cost + step;
+        parents[next] = cell;
+        queue.push({cost + step, next});
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace pilothouse
