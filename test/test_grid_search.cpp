@@ -5,8 +5,8 @@
 #include <random>
 
 #include "core/planning/path_smoother.hpp"
+#include "core/planning/textbook_dijkstra.hpp"
 #include "test/map_rooms.hpp"
-#include "test/textbook_dijkstra.hpp"
 
 namespace pilothouse {
 namespace {

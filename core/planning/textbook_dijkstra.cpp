@@ -1,21 +1,15 @@
-#pragma once
+#include "core/planning/textbook_dijkstra.hpp"
 
-#include <cstdint>
 #include <functional>
 #include <limits>
-#include <optional>
 #include <queue>
 #include <utility>
 #include <vector>
 
-#include "core/planning/grid_search.hpp"
-
 namespace pilothouse {
 
-/// Dijkstra's algorithm as books have it: a binary heap, eight neighbours, ends at the goal. The
-/// plain version that the planner's search is held against, with the same costs.
-inline std::optional<std::uint32_t> textbookDijkstra(const CostField& field, const Cell& start,
-                                                     const Cell& goal) {
+std::optional<std::uint32_t> textbookDijkstra(const CostField& field, const Cell& start,
+                                              const Cell& goal) {
   using Entry = std::pair<std::uint32_t, std::uint32_t>;  // cost, cell
   const auto& weights = field.weights();
   std::vector<std::uint32_t> costs(weights.size(), std::numeric_limits<std::uint32_t>::max());
