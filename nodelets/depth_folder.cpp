@@ -11,7 +11,7 @@
 
 #include "core/replay/png_header.hpp"
 #include "doors/message_views.hpp"
-#include "nodelets/file_bytes.hpp"
+#include "doors/file_bytes.hpp"
 
 namespace pilothouse {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "core/replay/pcd_header.hpp"
 #include "doors/message_views.hpp"
-#include "nodelets/file_bytes.hpp"
+#include "doors/file_bytes.hpp"
 
 namespace pilothouse {
 

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "nodelets/file_bytes.hpp"
+#include "doors/file_bytes.hpp"
 #include "nodelets/frame_cache.hpp"
 #include "nodelets/pcd_file.hpp"
 #include "nodelets/player.hpp"

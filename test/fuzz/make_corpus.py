@@ -4,6 +4,7 @@ what an input looks like (cloud_input.hpp, depth_input.hpp, fuzz_*.cpp), and com
 import math
 import os
 import struct
+import zlib
 
 XYZ = [(0, 0, 7, 1), (1, 4, 7, 1), (2, 8, 7, 1)]  # name's number, offset, datatype, count
 
@@ -60,6 +61,17 @@ def png(width, height):
                                                 16, 0, 0, 0, 0, 0)
 
 
+def own_map(blocks, size=0.05, version=1):
+    data = b"".join(struct.pack("<ii", *place) + struct.pack("<hbb", 190, 0, 3) * 256 for place in blocks)
+    head = struct.pack("<8sIIdddIIQI", b"PHMAP\r\n\x1a", version, 64, size, 0.0, 0.0, 16, len(blocks),
+                       64 + len(data), zlib.crc32(data))
+    return b"\0" + head + struct.pack("<I", zlib.crc32(head)) + data
+
+
+def map_picture(head, pixels, resolution=0.05):
+    return b"\1" + struct.pack("<3d", resolution, -1.0, -0.5) + head + pixels
+
+
 CORPUS = {
     "cloud_view": {
         "organised": cloud(3, 2, 16, data=floats(*range(24))),
@@ -112,6 +124,19 @@ CORPUS = {
         "definition": b"\2B[3] b\nstring S=# c\n~p/B\nint16[] x # y\nHeader h\n~std_msgs/Header\n"
                       b"time t\n\0" + 3 * (struct.pack("<Ih", 1, 5) + bytes(8)),
         "itself": b"\2A[] a\n\0",
+    },
+    "map_files": {
+        "own": own_map([(-1, 0), (0, 0)]),
+        "own_empty": own_map([]),
+        "own_far": own_map([(1000000, 0)]),
+        "own_twice": own_map([(0, 0), (0, 0)]),
+        "own_nan": own_map([(0, 0)], size=float("nan")),
+        "own_version": own_map([(0, 0)], version=2),
+        "own_mended": b"\2" + own_map([(0, 0)])[1:-1],
+        "picture": map_picture(b"P5\n# a map\n3 2\n255\n", bytes([0, 205, 254] * 2)),
+        "picture_short": map_picture(b"P5 3 2 255\n", bytes(5)),
+        "picture_huge": map_picture(b"P5 4294967295 4294967295 255\n", b""),
+        "picture_nan": map_picture(b"P5 1 1 255\n", b"\0", resolution=float("nan")),
     },
     "file_headers": {
         "pcd_binary": pcd(bytes(24), "binary"),

@@ -1,4 +1,4 @@
-#include "nodelets/file_bytes.hpp"
+#include "doors/file_bytes.hpp"
 
 #include <algorithm>
 #include <filesystem>
