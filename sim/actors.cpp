@@ -53,7 +53,7 @@ void Actors::step(WorldScene& scene, const Robot& robot, double dt) {
     if (!actor.walks) continue;
     if (actor.model->courtesy > 0.0 && robotAhead(actor, robot, dt)) {
       actor.waited += dt;
-      if (actor.waited < kPatience) continue;
+      if (actor.waited < kPatience && !robotComes(actor, robot)) continue;
       actor.waited = 0.0;
       actor.sense = -actor.sense;
       continue;
@@ -100,17 +100,31 @@ bool Actors::robotAhead(const Actor& actor, const Robot& robot, double dt) {
   if (separation(robot.footprint, robot.pose, strip(at, courteous, wide)) <= 0.0) return true;
 
   // Where it will be soon, and the room before it, nobody enters; who is there walks on.
-  const Slice step = strip(at, at + (actor.radius + kStep) * along, wide);
-  const Slice body = strip(at - actor.radius * along, at + actor.radius * along, actor.radius);
+  if (reaches(robot, bodyOf(actor, now, along))) return false;
+  return reaches(robot, strip(at, at + (actor.radius + kStep) * along, wide));
+}
+
+/// Whether the robot moves towards where the actor stands: nobody waits there.
+bool Actors::robotComes(const Actor& actor, const Robot& robot) {
+  if (robot.twist.linear() <= kStanding) return false;
+  const Pose2 now = poseAt(*actor.model->path, actor.clock);
+  return reaches(robot, bodyOf(actor, now, Eigen::Vector2d(1.0, 0.0)));
+}
+
+Slice Actors::bodyOf(const Actor& actor, const Pose2& pose, const Eigen::Vector2d& along) {
+  const Eigen::Vector2d at = pose.position();
+  return strip(at - actor.radius * along, at + actor.radius * along, actor.radius);
+}
+
+/// Whether the robot will be there soon, or has it in the room before it.
+bool Actors::reaches(const Robot& robot, const Slice& place) {
   const Twist2 twist = robot.twist.linear() > kStanding ? robot.twist : Twist2{kStanding, 0.0, 0.0};
   const double seconds = std::max(kForesight, kRoom / twist.linear());
-  bool enters = false;
   for (double share = 0.25; share <= 1.0; share += 0.25) {
     const Pose2 pose = advanced(robot.pose, twist, share * seconds);
-    if (separation(robot.footprint, pose, body) <= 0.0) return false;
-    enters = enters || separation(robot.footprint, pose, step) <= 0.0;
+    if (separation(robot.footprint, pose, place) <= 0.0) return true;
   }
-  return enters;
+  return false;
 }
 
 }  // namespace pilothouse::sim

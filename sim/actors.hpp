@@ -3,13 +3,14 @@
 #include <vector>
 
 #include "core/motion/footprint.hpp"
+#include "sim/footprint_contact.hpp"
 #include "sim/world_scene.hpp"
 
 namespace pilothouse::sim {
 
 /// Everybody in a world who follows a path. Each has a clock of their own, which stands while the
-/// robot is in the way of somebody courteous, who after a while turns round,
-/// walks back to where the path begins and lets the robot go first.
+/// robot is in the way of somebody courteous, who after a while, or at once where the robot comes
+/// towards them, turns round, walks back to where the path begins and lets the robot go first.
 class Actors {
  public:
   struct Robot {
@@ -39,6 +40,9 @@ class Actors {
   };
   static void walk(Actor& actor, double dt);
   static bool robotAhead(const Actor& actor, const Robot& robot, double dt);
+  static bool robotComes(const Actor& actor, const Robot& robot);
+  static Slice bodyOf(const Actor& actor, const Pose2& pose, const Eigen::Vector2d& along);
+  static bool reaches(const Robot& robot, const Slice& place);
 
   std::vector<Actor> actors_;
 };

@@ -109,6 +109,30 @@ TEST(LocalMemory, KeepsWhatShowsOnlyItsFoot) {
   EXPECT_NEAR(nearest(collected(memory, {}, 0.4)), 1.42, 0.06) << "its front row";
 }
 
+// At the near rim of the view the camera sees no higher than the foot of what stands there; the
+// thing's farther rows are still seen as what they are. In the middle of the view the same is floor
+// before a thing.
+TEST(LocalMemory, KeepsTheFootOfAThingAtTheNearRimOfTheView) {
+  for (const float blind : {1.40F, 0.8F}) {
+    LocalMemory memory({}, outline());
+    View with, foot;
+    with.putBox({}, {1.5, 0.0});
+    foot.putBox({}, {1.5, 0.0});
+    for (int ix = 0; ix < foot.geometry.size_x; ++ix) {
+      for (int iy = 0; iy < foot.geometry.size_y; ++iy) {
+        CellClass& kind = foot.classes[foot.geometry.index(ix, iy)];
+        if (foot.geometry.centreX(ix) < 1.47F) kind = CellClass::kFloor;
+        if (foot.geometry.centreX(ix) < blind) kind = CellClass::kUnknown;
+      }
+    }
+    memory.add(with.frame(0.0), {});
+    for (int i = 1; i < 10; ++i) memory.add(foot.frame(0.033 * i), {});
+    const double first = nearest(collected(memory, {}, 0.4));
+    const bool rim = blind > 1.0F;
+    EXPECT_NEAR(first, rim ? 1.42 : 1.48, 0.03);
+  }
+}
+
 TEST(LocalMemory, KeepsWhatIsOnlyHidden) {
   LocalMemory memory({}, outline());
   View with, hidden;

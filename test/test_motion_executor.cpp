@@ -347,6 +347,22 @@ TEST(MotionExecutor, HeldByWhatIsSeenItWaitsWhereItStands) {
   EXPECT_GE(held.robot.pose().x, 0.99);
 }
 
+TEST(MotionExecutor, HeldWithinTheToleranceOfItsEndItHasArrived) {
+  const BaseParameters base = baseOf(BaseKind::kOmnidirectional);
+  MotionExecutor executor({}, base);
+  Simulated robot(base, {});
+  executor.drive({{1, 0}}, std::nullopt, false, robot.pose());
+  ExecutorOutput output;
+  ExecutorInput input;
+  for (; input.now < 60.0 && output.state != ExecutorState::kReached; input.now += kStep) {
+    input.pose = robot.pose();
+    output = executor.step(input);
+    robot.step(robot.pose().x > 0.98 ? Twist2{} : output.wanted);
+  }
+  EXPECT_EQ(output.state, ExecutorState::kReached);
+  EXPECT_NEAR(robot.pose().x, 1.0, ExecutorParameters().position_tolerance);
+}
+
 TEST(MotionExecutor, WithoutARouteItWantsNothing) {
   MotionExecutor executor({}, baseOf(BaseKind::kDifferential));
   EXPECT_EQ(executor.step({}).state, ExecutorState::kIdle);

@@ -263,6 +263,23 @@ TEST(Actors, TurnRoundWhenTheyHaveWaitedLong) {
   EXPECT_GT(farthest_back, 2.0);
 }
 
+TEST(Actors, DoNotWaitWhereTheRobotComes) {
+  World world = flatWorld();
+  add(world, "walker", boxMesh({0.3F, 0.3F, 1.7F}), at(3.0, 0.0));
+  world.models.back().path = ActorPath{{{0.0, {3.0, 0.0, 0.0}}, {5.0, {-2.0, 0.0, 0.0}}}, false};
+  world.models.back().courtesy = 0.5;
+  const SimRobot robot = testRobot();
+  WorldScene scene(world);
+  Actors actors(world);
+  Pose2 pose;
+  const Twist2 creeping{0.1, 0.0, 0.0};
+  for (int i = 0; i < 1500; ++i) {
+    actors.step(scene, {robot.footprint, pose, creeping}, kTick);
+    pose = advanced(pose, creeping, kTick);
+    ASSERT_GT(scene.pose(1).translation().x() - 0.15 - (pose.x + 0.25), 0.2) << i;
+  }
+}
+
 TEST(Surroundings, MeasureTheFreeWay) {
   World world = flatWorld();
   add(world, "box", boxMesh({0.2F, 0.2F, 0.5F}), at(1.35, 0.1));

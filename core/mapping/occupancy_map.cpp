@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "core/mapping/ray_walk.hpp"
-#include "core/motion/hides_behind.hpp"
+#include "core/motion/may_be_foot.hpp"
 
 namespace pilothouse {
 namespace {
@@ -228,7 +228,7 @@ const char* OccupancyMap::addFloor(const FloorFrame& frame, const Pose2& pose) {
   markFloor(frame, pose);
   learn([&](CellPlace place) {
     const Vector2d p = pose.toBase(centreOf(place));
-    return hidesBehind(frame, p.x(), p.y());
+    return mayBeFoot(frame, p.x(), p.y());
   });
   return nullptr;
 }

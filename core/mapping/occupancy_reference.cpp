@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "core/mapping/ray_walk.hpp"
-#include "core/motion/hides_behind.hpp"
+#include "core/motion/may_be_foot.hpp"
 
 namespace pilothouse {
 namespace {
@@ -36,7 +36,7 @@ void OccupancyReference::learn(const Evidence& evidence, const FloorFrame* frame
         said.second == CellEvidence::kFree || said.second == CellEvidence::kThreshold;
     if (frame != nullptr && cleared && cell.odds >= rule_.occupied) {
       const Vector2d p = pose.toBase({(ix + 0.5) * size, (iy + 0.5) * size});
-      if (hidesBehind(*frame, p.x(), p.y())) continue;
+      if (mayBeFoot(*frame, p.x(), p.y())) continue;
     }
     rule_.learn(cell, said.second);
   }

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/motion/hides_behind.hpp"
+#include "core/motion/may_be_foot.hpp"
 
 namespace pilothouse {
 namespace {
@@ -180,7 +180,7 @@ void LocalMemory::look(const FloorFrame& frame, const Pose2& pose) {
       }
       // Of a thing at the rim of the view the camera may see no more than its foot, which looks
       // like floor: it is gone only where what lies behind it can be seen.
-      if (isObject(cell.kind) && hidesBehind(frame, x0 + size * fx, y0 + size * fy)) {
+      if (isObject(cell.kind) && mayBeFoot(frame, x0 + size * fx, y0 + size * fy)) {
         cell.seen = now;
         continue;
       }

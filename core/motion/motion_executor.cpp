@@ -22,6 +22,7 @@ constexpr double kPullAhead = 0.12;    // going back it aims so far along the tr
 constexpr double kLookTime = 0.5;      // it stands so long to look [s]
 constexpr double kLooksAt = 0.1;       // so near the camera's middle is well seen [rad]
 constexpr double kLongestTurn = 6.0;   // [s]
+constexpr double kFinerTime = 3.0;     // at the end it tries so long to be nearer than asked [s]
 constexpr double kLongWait = 3.0;      // [s]
 constexpr double kLongestBack = 10.0;  // [s]
 constexpr double kForgetLooks = 0.5;   // got on so far since the last look: a new case [m]
@@ -147,8 +148,10 @@ Twist2 MotionExecutor::follow(const Pose2& pose) {
 Twist2 MotionExecutor::settle(const Pose2& pose) {
   const double gap = (end_ - pose.position()).norm();
   const bool sideways = base_.kind != BaseKind::kDifferential;
+  // It may be held so near that it never gets nearer.
+  const bool finer = sideways && last_now_ - phase_since_ < kFinerTime;
   if (gap > parameters_.position_tolerance ||
-      (sideways && gap > 0.4 * parameters_.position_tolerance)) {
+      (finer && gap > 0.4 * parameters_.position_tolerance)) {
     if (sideways && gap < 0.3) return tracker_.slideTo(end_, pose, kept_);
     if (gap > parameters_.position_tolerance && approaches_ < kApproaches) {
       // It missed the end, or was moved: from here to there anew.
@@ -231,7 +234,7 @@ ExecutorOutput MotionExecutor::step(const ExecutorInput& input) {
   progress(input);
   last_now_ = input.now;
   output.state = ExecutorState::kDriving;
-  if (phase_ == Phase::kFollow) noticeHold(input, output);
+  if (phase_ == Phase::kFollow || phase_ == Phase::kSettle) noticeHold(input, output);
   switch (phase_) {
     case Phase::kIdle:
       break;
