@@ -6,7 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "core/motion/hides_behind.hpp"
+#include "core/motion/may_be_foot.hpp"
 
 namespace pilothouse {
 namespace {
@@ -152,7 +152,7 @@ StaticObjects::Verdict StaticObjects::judge(const FloorFrame& frame, const Vecto
   if (standsSomething(frame, place)) return Verdict::kThere;
   const CellClass kind = frame.classes[frame.geometry.index(place.ix, place.iy)];
   if (isDrivable(kind)) {
-    const bool whole = couldSee(p, height) || !hidesBehind(frame, p.x(), p.y());
+    const bool whole = couldSee(p, height) || !mayBeFoot(frame, p.x(), p.y());
     return whole ? Verdict::kFloor : Verdict::kNothing;
   }
   const bool empty = kind == CellClass::kUnknown && couldSee(p, height) && openBefore(frame, p);
