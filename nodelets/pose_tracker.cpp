@@ -137,15 +137,14 @@ class PoseTrackerNodelet : public nodelet::Nodelet {
   }
 
   std::string take(std::size_t source, const sensor_msgs::LaserScan& scan) {
-    auto beams = openScan(scan);
+    const auto beams = openScan(scan);
     if (!beams) return beams.reason();
     std::string fault;
     const auto T_base_scanner = mounting(scan.header.frame_id, fault);
     if (!T_base_scanner) return fault;
     const auto level = levelMounting(*T_base_scanner);
     if (!level) return "the scanner is not level";
-    if (settings_.stamped_at_end) beams = stampedAtBegin(*beams);
-    thread_->take(source, *beams, *level);
+    thread_->take(source, settings_.stamped_at_end ? stampedAtBegin(*beams) : *beams, *level);
     return {};
   }
 

@@ -39,8 +39,10 @@ void PointMap::forgetFar(const Eigen::Vector2d& from) {
   }
 }
 
-Eigen::Vector2d PointMap::normalAt(const Eigen::Vector2d& place) const {
-  const int reach = static_cast<int>(std::ceil(parameters_.line_radius / parameters_.cell));
+/// Nothing where too few points are so near.
+std::optional<Eigen::Vector2d> PointMap::normalAt(const Eigen::Vector2d& place,
+                                                  double radius) const {
+  const int reach = static_cast<int>(std::ceil(radius / parameters_.cell));
   const std::int32_t middle_x = column(place.x()), middle_y = column(place.y());
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   Eigen::Matrix2d squares = Eigen::Matrix2d::Zero();
@@ -50,25 +52,33 @@ Eigen::Vector2d PointMap::normalAt(const Eigen::Vector2d& place) const {
       const auto found = squares_.find(keyOf(middle_x + x, middle_y + y));
       if (found == squares_.end()) continue;
       const Eigen::Vector2d offset = found->second.mean - place;
-      if (offset.norm() > parameters_.line_radius) continue;
+      if (offset.norm() > radius) continue;
       sum += offset;
       squares += offset * offset.transpose();
       ++count;
     }
   }
-  if (count < kFewest) return Eigen::Vector2d::Zero();
+  if (count < kFewest) return std::nullopt;
   const Eigen::Vector2d mean = sum / count;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(squares / count -
                                                             mean * mean.transpose());
-  if (axes.eigenvalues()(0) > kNarrow * axes.eigenvalues()(1)) return Eigen::Vector2d::Zero();
-  return axes.eigenvectors().col(0);
+  if (axes.eigenvalues()(0) > kNarrow * axes.eigenvalues()(1)) {
+    return Eigen::Vector2d(Eigen::Vector2d::Zero());
+  }
+  return Eigen::Vector2d(axes.eigenvectors().col(0));
 }
 
 std::vector<MapPoint> PointMap::points() const {
   std::vector<MapPoint> points;
   points.reserve(squares_.size());
   for (const auto& entry : squares_) {
-    points.push_back({entry.second.mean, normalAt(entry.second.mean)});
+    const Eigen::Vector2d& place = entry.second.mean;
+    for (const double radius : {1.0, 2.0, 4.0}) {
+      const auto normal = normalAt(place, radius * parameters_.line_radius);
+      if (!normal) continue;
+      points.push_back({place, *normal});
+      break;
+    }
   }
   return points;
 }

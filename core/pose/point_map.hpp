@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -12,7 +13,8 @@ namespace pilothouse {
 
 struct PointMapParameters {
   double cell = 0.05;         ///< side of the squares that hold one point each [m]
-  double line_radius = 0.2;   ///< points so near a point say which line it lies on [m]
+  double line_radius = 0.2;   ///< points so near a point say which line it lies on [m]; up to
+                              ///< four times as far where they are sparse
   int most_sightings = 20;    ///< after so many a square's point stays where it is
   std::size_t most = 20'000;  ///< points; beyond, those farthest from the robot are forgotten
 };
@@ -26,7 +28,8 @@ class PointMap {
   void add(const std::vector<Eigen::Vector2d>& points, const Pose2& pose);
   void clear() { squares_.clear(); }
   std::size_t size() const { return squares_.size(); }
-  /// All points with the line that each lies on.
+  /// The points with the line that each lies on; those that stand alone are left out, since what
+  /// they were seen of may have been anywhere about.
   std::vector<MapPoint> points() const;
 
  private:
@@ -40,7 +43,7 @@ class PointMap {
   std::int32_t column(double place) const {
     return static_cast<std::int32_t>(std::floor(place / parameters_.cell));
   }
-  Eigen::Vector2d normalAt(const Eigen::Vector2d& place) const;
+  std::optional<Eigen::Vector2d> normalAt(const Eigen::Vector2d& place, double radius) const;
   void forgetFar(const Eigen::Vector2d& from);
 
   PointMapParameters parameters_;
