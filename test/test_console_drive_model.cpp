@@ -417,7 +417,15 @@ TEST(Words, everyCauseOfALimit) {
   held.limit = 0.0;
   held.sensor = "memory";
   held.x = -1.0;
+  held.y = 0.3;
   EXPECT_EQ(limitWords(held), "Held at 0 m/s: something remembered 0.62 m behind");
+  held.y = 1.3;
+  EXPECT_EQ(limitWords(held), "Held at 0 m/s: something remembered 0.62 m to the left");
+  auto passing = limitOf(LimitCause::kPotential);
+  passing.distance = 0.0;
+  passing.x = 0.1;
+  passing.y = -0.4;
+  EXPECT_EQ(limitWords(passing), "Slowed to 0.18 m/s: camera sees something close by on the right");
 }
 
 DriveSituation ready() {

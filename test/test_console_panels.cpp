@@ -4,6 +4,8 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QDockWidget>
+#include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QWheelEvent>
@@ -281,6 +283,31 @@ TEST(MainWindow, aPanelThatCannotBeHadLeavesADisabledEntryWithTheReason) {
   // No library lies beside this test's program, and the offscreen platform could not draw it.
   EXPECT_FALSE(entry->isEnabled());
   EXPECT_TRUE(entry->text().contains("built without rviz") || entry->text().contains("X11"));
+}
+
+TEST(MainWindow, opensAsItWasClosed) {
+  const QTemporaryDir folder;
+  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, folder.path());
+  ConsoleState state;
+  const RobotDescription r = robot();
+  QList<QRect> before;
+  QRect place;
+  const auto docks = [](const MainWindow& window) {
+    QList<QRect> places;
+    for (const auto* dock : window.findChildren<QDockWidget*>()) places << dock->geometry();
+    return places;
+  };
+  for (int round = 0; round < 3; ++round) {
+    MainWindow window({state, r, nullptr}, true);
+    window.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+    QTest::qWait(20);
+    if (round == 0) place = window.geometry();
+    EXPECT_EQ(window.geometry(), place) << round;
+    if (round == 0) before = docks(window);
+    EXPECT_EQ(docks(window), before) << round;
+    window.close();
+  }
 }
 
 TEST(MainWindow, fitsASmallScreen) {

@@ -1,5 +1,6 @@
 #include "gui/model/drive_words.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -10,6 +11,7 @@ namespace {
 constexpr double kSilent = 0.5;        // s; the gate speaks 50 times a second, the limiter 30
 constexpr double kContactShown = 3.0;  // s
 constexpr double kStands = 0.005;      // m/s
+constexpr double kPassing = 0.02;      // m
 
 std::string number(double value, const char* unit, int digits = 2) {
   char text[48];
@@ -17,10 +19,26 @@ std::string number(double value, const char* unit, int digits = 2) {
   return text;
 }
 
+// Seen from the robot; what has no place is ahead.
+const char* side(const LimitReading& limit) {
+  if (!std::isfinite(limit.x) || !std::isfinite(limit.y)) return "ahead";
+  if (std::abs(limit.y) <= std::abs(limit.x)) return limit.x < 0.0 ? "behind" : "ahead";
+  return limit.y > 0.0 ? "to the left" : "to the right";
+}
+
 std::string where(const LimitReading& limit) {
   if (!std::isfinite(limit.distance)) return {};
-  const bool behind = limit.x < 0.0;  // false for NaN
-  return " " + number(std::max(0.0, limit.distance), "m") + (behind ? " behind" : " ahead");
+  return " " + number(std::max(0.0, limit.distance), "m") + " " + side(limit);
+}
+
+// What the robot passes already has no free way before it.
+std::string besideTheWay(const LimitReading& limit) {
+  if (limit.distance < kPassing) {
+    const bool left = limit.y > 0.0;  // false for NaN
+    return std::isfinite(limit.y) ? std::string(" close by on the ") + (left ? "left" : "right")
+                                  : " close by";
+  }
+  return " beside the way" + where(limit);
 }
 
 std::string seer(const std::string& sensor) {
@@ -173,7 +191,7 @@ std::string limitWords(const LimitReading& limit) {
     case LimitCause::kObstacle:
       return slowed(limit) + ": " + sees(limit) + where(limit);
     case LimitCause::kPotential:
-      return slowed(limit) + ": " + sees(limit) + " beside the way" + where(limit);
+      return slowed(limit) + ": " + sees(limit) + besideTheWay(limit);
     case LimitCause::kBraking:
       return "Braking: " + sees(limit) + where(limit);
     case LimitCause::kThreshold:

@@ -11,6 +11,7 @@
 #include <QTimer>
 #include <QToolBar>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "gui/model/clock.hpp"
 #include "gui/view/drive_bar.hpp"
@@ -48,11 +49,7 @@ MainWindow::MainWindow(const PanelContext& context, bool remember, bool keys_wat
   setStatusBar(bar);
   buildMenus();
   resetLayout();
-  if (remember_) {
-    QSettings settings;
-    restoreGeometry(settings.value("window/geometry").toByteArray());
-    restoreState(settings.value("window/docks").toByteArray(), kLayoutVersion);
-  }
+  if (remember_) restoreGeometry(QSettings().value("window/geometry").toByteArray());
   pictures_->setTimerType(Qt::PreciseTimer);
   connect(pictures_, &QTimer::timeout, this, &MainWindow::refreshPictures);
   connect(numbers_, &QTimer::timeout, this, &MainWindow::refreshNumbers);
@@ -221,6 +218,22 @@ void MainWindow::refreshNumbers() {
 void MainWindow::refreshNow() {
   refreshPictures();
   refreshNumbers();
+}
+
+// The docks' widths can be restored only in a window that has its size, which it gets when shown.
+// Without a window manager what was restored may lie partly off the screen.
+void MainWindow::showEvent(QShowEvent* event) {
+  QMainWindow::showEvent(event);
+  if (!remember_ || restored_) return;
+  restored_ = true;
+  QTimer::singleShot(0, this, [this] {
+    const QRect room = QGuiApplication::primaryScreen()->availableVirtualGeometry();
+    const QSize size = frameGeometry().size();
+    const QPoint place = frameGeometry().topLeft();
+    move(std::max(room.left(), std::min(place.x(), room.right() + 1 - size.width())),
+         std::max(room.top(), std::min(place.y(), room.bottom() + 1 - size.height())));
+    restoreState(QSettings().value("window/docks").toByteArray(), kLayoutVersion);
+  });
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -38,6 +38,7 @@ class MainWindow : public QMainWindow {
   void closed();
 
  protected:
+  void showEvent(QShowEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
 
  private:
@@ -54,7 +55,7 @@ class MainWindow : public QMainWindow {
   void refreshNumbers();
 
   PanelContext context_;
-  bool remember_;
+  bool remember_, restored_ = false;
   QVector<Shown> panels_;
   StatusLine* status_;
   DriveBar* bar_ = nullptr;
