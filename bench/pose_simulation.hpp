@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+
+#include "bench/pose_recording.hpp"
+#include "doors/robot_description.hpp"
+
+namespace pilothouse::bench {
+
+/// What a simulated robot looks through.
+enum class SimulatedScanner {
+  kLaser,    ///< a level one of 360 beams, 30 cm high, 10 turns a second
+  kVirtual,  ///< the scan that is made of the judged floor, 15 a second
+};
+
+/// Drives a robot round a random world with people in it, on a slippery floor: wheels that count
+/// wrong, a gyroscope, a scanner. The route is known, the drive is steered by the true pose.
+PoseRecording simulatePose(const RobotDescription& robot, std::uint64_t seed,
+                           SimulatedScanner scanner);
+
+}  // namespace pilothouse::bench
