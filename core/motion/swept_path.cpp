@@ -99,6 +99,16 @@ void SweptPath::layOutTurn() {
     last = std::min(last, angle);
   }
   extent_ = first - last;
+  const double most = look_ahead_ * std::abs(unit_.w);
+  sector_ = Eigen::Rotation2Dd(sense * 0.5 * (most - extent_)) * lead_.normalized();
+  sector_cos_ = std::cos(std::min(0.5 * kTurn, 0.5 * (most + extent_)));
+}
+
+// From the outline's rear end to where its lead is at the end of the look-ahead, and as much more
+// as the outline is grown. Cosine falls no faster than its angle rises, and asin(x) <= pi / 2 x.
+bool SweptPath::outOfSector(const Vector2d& arm, double from_centre, double inflation) const {
+  const double grown = 0.25 * kTurn * mitre_ * inflation;
+  return nearest_ > 0.0 && arm.dot(sector_) < from_centre * sector_cos_ - grown;
 }
 
 SweptPath::Contact SweptPath::meet(const Vector2d& point, double radius) const {
@@ -144,6 +154,7 @@ SweptPath::Contact SweptPath::meetTurning(const Vector2d& point, double radius) 
   const double outer = farthest_ + reach, inner = std::max(0.0, nearest_ - reach);
   if (square > outer * outer || square < inner * inner) return {};
   const double from_centre = std::sqrt(square);
+  if (outOfSector(point - centre_, from_centre, reach)) return {};
   const double speed = std::abs(unit_.w) * from_centre;
   if (from_centre <= farthest_ + radius && from_centre >= nearest_ - radius) {
     const double angle = angleToTouch(point, radius);

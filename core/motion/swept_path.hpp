@@ -68,6 +68,8 @@ class SweptPath {
   Contact contact(double distance, double speed) const;
   /// Turn [rad] until the point is touched by the outline grown by `inflation`; kNever, kInside.
   double angleToTouch(const Eigen::Vector2d& point, double inflation) const;
+  /// True: the outline grown by `inflation` does not come there within the look-ahead. Cheap.
+  bool outOfSector(const Eigen::Vector2d& arm, double from_centre, double inflation) const;
   /// Turn [rad] until the foremost corner comes beside the point; 0: the robot is beside it. Only
   /// where the centre of rotation lies outside the footprint.
   double angleToLead(const Eigen::Vector2d& point) const;
@@ -85,8 +87,11 @@ class SweptPath {
   std::vector<TurningEdge> turning_edges_;
   Eigen::Vector2d lead_{0.0, 0.0};  ///< from the centre to the corner that leads [m]
   double extent_ = 0.0;             ///< angle from there back to the last corner [rad]
-  double reach_ = 0.0;              ///< farthest corner from the base's origin [m]
-  double mitre_ = 1.0;              ///< how much farther than by the inflation a corner grows
+  Eigen::Vector2d sector_{1.0,
+                          0.0};  ///< turning: middle of what the outline sweeps, from the centre
+  double sector_cos_ = -1.0;     ///< of half the angle of that
+  double reach_ = 0.0;           ///< farthest corner from the base's origin [m]
+  double mitre_ = 1.0;           ///< how much farther than by the inflation a corner grows
 };
 
 }  // namespace pilothouse
