@@ -59,6 +59,39 @@ Checked<MapCells> openMap(const MapGrid& grid) {
   return Result::of(std::move(map));
 }
 
+Checked<std::vector<Obstacle>> openObjects(const ObjectList& list) {
+  using Result = Checked<std::vector<Obstacle>>;
+  constexpr float kFarthestObject = 1e3F, kLargest = 10.0F;  // [m]
+  std::vector<Obstacle> objects;
+  objects.reserve(list.objects.size());
+  for (const Object& object : list.objects) {
+    const std::string name = "object " + std::to_string(objects.size());
+    Obstacle obstacle;
+    obstacle.position = {object.position.x, object.position.y};
+    if (!(obstacle.position.norm() <= kFarthestObject)) {
+      return Result::refused(name + " is at " + std::to_string(object.position.x) + " " +
+                             std::to_string(object.position.y) + ", expected within 1 km");
+    }
+    if (!(object.size >= 0.0F && object.size <= kLargest)) {
+      return Result::refused(name + " is of " + std::to_string(object.size) +
+                             " m, expected 0 to 10");
+    }
+    if (object.kind < Object::THRESHOLD || object.kind > Object::DROP_OFF) {
+      return Result::refused(name + " is of kind " + std::to_string(object.kind) +
+                             ", expected 2 to 4");
+    }
+    const bool named = object.source < list.sources.size();
+    const std::string& source = named ? list.sources[object.source].name : list.source;
+    obstacle.height = object.position.z;
+    obstacle.size = object.size;
+    obstacle.kind = static_cast<CellClass>(object.kind);
+    obstacle.source = source == "camera" ? 0 : 1;
+    obstacle.remembered = object.remembered;
+    objects.push_back(obstacle);
+  }
+  return Result::of(std::move(objects));
+}
+
 MapGrid::Ptr toMessage(const MapCells& map, const std::string& frame, const ros::Time& stamp,
                        std::uint32_t version) {
   auto message = boost::make_shared<MapGrid>();
