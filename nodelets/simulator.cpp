@@ -51,7 +51,7 @@ class Simulator : public nodelet::Nodelet {
     const auto kind = sim::faultKind(request.kind);
     if (!kind) {
       response.message =
-          "kind is \"" + request.kind + "\", expected freeze, drop, delay, corrupt or none";
+          "kind is \"" + request.kind + "\", expected freeze, stand, drop, delay, corrupt or none";
       return true;
     }
     const auto reason = thread_->between([&](sim::Simulation& simulation) {

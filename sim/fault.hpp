@@ -11,8 +11,8 @@
 
 namespace pilothouse::sim {
 
-enum class FaultKind { kNone, kFreeze, kDrop, kDelay, kCorrupt };
-/// @param name none, freeze, drop, delay or corrupt. None: no such kind.
+enum class FaultKind { kNone, kFreeze, kStand, kDrop, kDelay, kCorrupt };
+/// @param name none, freeze, stand, drop, delay or corrupt. None: no such kind.
 std::optional<FaultKind> faultKind(const std::string& name);
 
 /// What is wrong with a sensor.
@@ -33,15 +33,21 @@ template <class T>
 class SensorChannel {
  public:
   using Corrupt = std::function<void(T& value, Random& random)>;
+  using Still = std::function<void(T& value)>;
 
-  SensorChannel(std::uint64_t seed, Corrupt corrupt)
-      : random_(seed), corrupt_(std::move(corrupt)) {}
+  /// @param still makes of a value one of a robot that stands there; null: it is one.
+  SensorChannel(std::uint64_t seed, Corrupt corrupt, Still still = nullptr)
+      : random_(seed), corrupt_(std::move(corrupt)), still_(std::move(still)) {}
 
-  void fail(const Fault& fault) { fault_ = fault; }
+  /// From now on. What another fault holds back is lost: it would hold back what comes after it.
+  void fail(const Fault& fault) {
+    fault_ = fault;
+    under_way_.clear();
+  }
   bool failing(double now) const { return kindAt(now) != FaultKind::kNone; }
   /// Whether offer() wants a fresh value, which may cost much to measure.
   bool wantsValue(double now) const {
-    return !(kindAt(now) == FaultKind::kFreeze && last_) &&
+    return !(repeats(kindAt(now)) && last_) &&
            !(kindAt(now) == FaultKind::kDrop && fault_.amount <= 0.0);
   }
   /// A sensor's turn has come. @param measure called if its value is wanted.
@@ -52,26 +58,31 @@ class SensorChannel {
     const double luck = random_.unit();
     const bool hit = fault_.amount <= 0.0 || luck < fault_.amount;
     if (kind == FaultKind::kDrop && hit) return;
-    if (!(kind == FaultKind::kFreeze && last_)) last_ = measure();
+    if (!(repeats(kind) && last_)) last_ = measure();
     T value = *last_;
+    if (kind == FaultKind::kStand && still_) still_(value);
     if (kind == FaultKind::kCorrupt && hit) corrupt_(value, random_);
     const double due = kind == FaultKind::kDelay ? now + fault_.amount : now;
+    if (kind != FaultKind::kDelay) under_way_.clear();  // of a delay that ended by itself
     under_way_.push_back({due, {now, std::move(value)}});
   }
-  /// What arrives now, in order; call until nothing comes.
+  /// What arrives now. As all are held back equally long, no more come at a time than were offered.
   std::optional<Reading<T>> take(double now) {
     if (under_way_.empty() || under_way_.front().first > now + 1e-9) return std::nullopt;
     std::optional<Reading<T>> reading = std::move(under_way_.front().second);
     under_way_.pop_front();
     return reading;
   }
-  void clear() { under_way_.clear(); }
 
  private:
+  static bool repeats(FaultKind kind) {
+    return kind == FaultKind::kFreeze || kind == FaultKind::kStand;
+  }
   FaultKind kindAt(double now) const { return now < fault_.until ? fault_.kind : FaultKind::kNone; }
 
   Random random_;
   Corrupt corrupt_;
+  Still still_;
   Fault fault_;
   std::optional<T> last_;
   std::deque<std::pair<double, Reading<T>>> under_way_;

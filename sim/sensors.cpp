@@ -43,8 +43,10 @@ Sensors::Sensors(const World& world, const SimRobot& robot, const SensorParamete
       imu_(parameters.imu, mixSeed(seed, 2)),
       depth_channel_(mixSeed(seed, 3), spoil<Depth>),
       colour_channel_(mixSeed(seed, 4), spoil<Colour>),
-      odometry_channel_(mixSeed(seed, 5), spoil<OdometryReading>),
-      imu_channel_(mixSeed(seed, 6), spoil<ImuReading>) {
+      odometry_channel_(mixSeed(seed, 5), spoil<OdometryReading>,
+                        [](OdometryReading& reading) { reading.twist = {}; }),
+      imu_channel_(mixSeed(seed, 6), spoil<ImuReading>,
+                   [](ImuReading& reading) { reading.rate.setZero(); }) {
   for (std::size_t i = 0; i < robot.rangers.size(); ++i) {
     rangers_.emplace_back(robot.rangers[i], parameters.ranger, mixSeed(seed, 100 + 2 * i));
     range_channels_.emplace_back(mixSeed(seed, 101 + 2 * i), spoil<double>);

@@ -6,6 +6,11 @@
 #include "sim/actor_path.hpp"
 
 namespace pilothouse::sim {
+namespace {
+
+constexpr double kLongestDelay = 5.0;  // of pictures under way, which take memory [s]
+
+}  // namespace
 
 Simulation::Simulation(World world, const SimRobot& robot, const SimulationParameters& parameters)
     : world_(std::move(world)),
@@ -35,7 +40,7 @@ const Readings& Simulation::step() {
 std::optional<std::string> Simulation::fail(const std::string& sensor, FaultKind kind,
                                             double amount, double seconds) {
   std::ostringstream reason;
-  const double most = kind == FaultKind::kDelay ? 60.0 : 1.0;
+  const double most = kind == FaultKind::kDelay ? kLongestDelay : 1.0;
   if (!(amount >= 0.0 && amount <= most)) {
     reason << "amount is " << amount << ", expected 0 to " << most;
     return reason.str();

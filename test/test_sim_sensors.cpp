@@ -203,6 +203,32 @@ TEST(Fault, DelayKeepsTheStamps) {
   for (const auto& a : arrived) EXPECT_NEAR(a[0] - a[1], 0.4, 1e-6);
 }
 
+TEST(Fault, HealedDelayIsOverAtOnce) {
+  Counter counter;
+  counter.channel.fail({FaultKind::kDelay, 1.0});
+  counter.run(3.0);
+  counter.channel.fail({});
+  auto arrived = counter.run(2.0);
+  ASSERT_EQ(arrived.size(), 20U) << "what was under way is lost";
+  for (const auto& a : arrived) EXPECT_EQ(a[0], a[1]);
+
+  counter.channel.fail({FaultKind::kDelay, 1.0, counter.now + 3.05});
+  counter.run(3.0);
+  arrived = counter.run(2.0);
+  ASSERT_EQ(arrived.size(), 20U) << "ended by itself";
+  for (const auto& a : arrived) EXPECT_EQ(a[0], a[1]);
+}
+
+TEST(Fault, AShorterDelayHoldsAtOnce) {
+  Counter counter;
+  counter.channel.fail({FaultKind::kDelay, 2.0});
+  counter.run(3.0);
+  counter.channel.fail({FaultKind::kDelay, 0.2});
+  const auto arrived = counter.run(2.0);
+  ASSERT_EQ(arrived.size(), 18U);
+  for (const auto& a : arrived) EXPECT_NEAR(a[0] - a[1], 0.2, 1e-6);
+}
+
 TEST(Fault, CorruptSpoilsAShareAndNotWhatIsKept) {
   Counter counter;
   counter.channel.fail({FaultKind::kCorrupt, 0.5});

@@ -165,6 +165,9 @@ TEST(Simulation, SaysWhyItDoesNotPlaceOrFail) {
             std::string::npos);
   EXPECT_NE(simulation.fail("camera", FaultKind::kDrop, 2.0, 0.0)->find("amount is 2"),
             std::string::npos);
+  EXPECT_NE(simulation.fail("camera", FaultKind::kDelay, 5.1, 0.0)->find("expected 0 to 5"),
+            std::string::npos)
+      << "every picture under way takes memory";
   EXPECT_NE(simulation.fail("camera", FaultKind::kDrop, 0.0, -1.0)->find("seconds is -1"),
             std::string::npos);
 }
@@ -198,6 +201,21 @@ TEST(Simulation, FailsItsSensorsOnDemand) {
     const double sum = pose.x + pose.y + pose.heading + twist.vx + twist.vy + twist.w;
     ASSERT_FALSE(std::abs(sum) < 1e6);
   }
+}
+
+TEST(Simulation, MakesOdometrySayThatADrivenRobotStands) {
+  Simulation simulation(room(), testRobot(), small(1));
+  std::optional<Reading<OdometryReading>> last, stands;
+  for (int i = 0; i < 100; ++i) {
+    if (i == 70) simulation.fail("odometry", FaultKind::kStand, 0.0, 0.0);
+    simulation.command({0.0, 0.0, 0.5});
+    auto& newest = i < 70 ? last : stands;
+    if (const auto& odometry = simulation.step().odometry) newest = odometry;
+  }
+  EXPECT_GT(last->value.twist.w, 0.2);
+  EXPECT_EQ(stands->value.pose.heading, last->value.pose.heading);
+  EXPECT_TRUE(stands->value.twist.zero());
+  EXPECT_NEAR(stands->stamp, 1.0, 1e-9);
 }
 
 TEST(Simulation, StartsInTheClearInEveryWorldOfMaps) {
