@@ -107,6 +107,24 @@ TEST(StopGate, StopsWhenOdometryFrozenAtStandstillSaysThatADrivenRobotStands) {
   }
 }
 
+TEST(StopGate, StopsInTimeWhenOdometryStandsAtOnceInFullDrive) {
+  Driving robot;
+  robot.frozen = robot.stands = true;
+  expectInTime(robot.timeToZero());
+  robot.expectLatched(StopCause::kStaleOdometry);
+  robot.run(0.5);
+  EXPECT_TRUE(robot.arm()) << "a robot that stands says the same for long";
+}
+
+TEST(StopGate, ARobotThatStandsAtOnceByItsCommandIsNotFrozen) {
+  Driving robot;
+  robot.wanted = {};
+  robot.tick();
+  robot.frozen = robot.stands = true;
+  robot.run(2.0);
+  EXPECT_EQ(robot.out.status, GateStatus::kRunning) << describe(robot.out.stopped, "", "");
+}
+
 TEST(StopGate, ADrivenRobotThatIsHeldIsNotFrozenWhileItsReadingsDiffer) {
   Driving robot;
   robot.frozen = robot.stands = true;

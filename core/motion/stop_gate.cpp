@@ -56,17 +56,25 @@ void takeTime(Step& g) {
   s.last = g.in.now;
 }
 
+bool isDriven(const Twist2& twist) {
+  return twist.linear() > kDrivenSpeed || std::abs(twist.w) > kDrivenTurn;
+}
+
 void takeOdometry(Step& g) {
+  GateState& s = g.s;
   const OdometryMessage& odometry = g.in.odometry;
-  const Pose2 &pose = odometry.pose, &last = g.s.pose;
+  const Pose2 &pose = odometry.pose, &last = s.pose;
   const bool stays = pose.x == last.x && pose.y == last.y && pose.heading == last.heading;
   const bool rests = odometry.twist.zero();
   // A driver that froze while the robot stood says for ever that it stands.
-  const bool must_move = g.now() - g.s.driven_since > kDriven + g.p.steering_time;
-  const bool frozen = stays && (!rests || (must_move && g.s.twist.zero()));
-  if (!frozen) g.s.odometry.take(odometry, g.in.now, kFuture);
-  g.s.pose = pose;
-  g.s.twist = odometry.twist;
+  const bool must_move = g.now() - s.driven_since > kDriven + g.p.steering_time;
+  // No base that drives on stands from one reading to the next, not even a millimetre farther.
+  const bool driven = s.driven_since <= g.now();
+  s.halted = stays && driven && (s.halted || (rests && isDriven(s.twist)));
+  const bool frozen = stays && (!rests || s.halted || (must_move && s.twist.zero()));
+  if (!frozen) s.odometry.take(odometry, g.in.now, kFuture);
+  s.pose = pose;
+  s.twist = odometry.twist;
 }
 
 void takeMessages(Step& g) {
@@ -228,7 +236,7 @@ void passCommand(Step& g) {
 
 void noteDriven(Step& g) {
   const Twist2& sent = g.out.command;
-  if (!(sent.linear() > kDrivenSpeed || std::abs(sent.w) > kDrivenTurn))
+  if (!isDriven(sent))
     g.s.driven_since = kInfinite;
   else if (g.s.driven_since == kInfinite)
     g.s.driven_since = g.now();

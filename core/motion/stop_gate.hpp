@@ -124,7 +124,8 @@ struct GateState {
   Pose2 pose;                                                     ///< by the newest odometry
   Twist2 twist;                                                   ///< by it
   double driven_since = std::numeric_limits<double>::infinity();  ///< steady [s]; infinite: is not
-  Arrival teleop;  ///< newest stamp of the console's clock, and when it first came
+  bool halted = false;  ///< odometry does not move since it stood from one reading to the next
+  Arrival teleop;       ///< newest stamp of the console's clock, and when it first came
   CommandSource source = CommandSource::kUnknown;
   double source_known = -std::numeric_limits<double>::infinity();  ///< steady [s]
   BeatTimes beats;
@@ -149,14 +150,15 @@ struct GateOutput {
 ///
 /// While armed, each of these stops and latches: a perception, odometry or limiter's report older
 /// than its limit (of the ORIGINAL: see InputAge; odometry that stays the same to the last bit
-/// while it or a second of commands says that the robot moves is no newer for its stamps); the
-/// command's source silent while the robot moved; a console silent that was there since arming and
-/// did not say that it leaves; an operator's stop; a second publisher; a command that is not finite
-/// or over the base's limits; a jump of a clock, or a gate that itself stood still. Without a
-/// command, the last one zero, it is idle, which is no fault. A teleop command counts as no younger
-/// than the newest sign of life of the console in command, so that none older than its limit is
-/// acted on, whatever a link delays. Arming is refused while any of these holds, and while a
-/// command of a person is held: it must have been zero before. A task may go on after arming.
+/// while it or a second of commands says that the robot moves, or since it stood at once in full
+/// drive, is no newer for its stamps); the command's source silent while the robot moved; a console
+/// silent that was there since arming and did not say that it leaves; an operator's stop; a second
+/// publisher; a command that is not finite or over the base's limits; a jump of a clock, or a gate
+/// that itself stood still. Without a command, the last one zero, it is idle, which is no fault. A
+/// teleop command counts as no younger than the newest sign of life of the console in command, so
+/// that none older than its limit is acted on, whatever a link delays. Arming is refused while any
+/// of these holds, and while a command of a person is held: it must have been zero before. A task
+/// may go on after arming.
 GateOutput step(const GateParameters& parameters, GateState& state, const GateInputs& inputs);
 
 /// What is wrong with a command in itself: nothing, or kBadCommand.
