@@ -14,12 +14,6 @@ namespace {
 constexpr int kTicks = 2;            // of the simulation in a control step
 constexpr double kHeldBelow = 0.01;  // [m/s]
 
-std::vector<ObjectMerger::Ranger> rangersOf(const RobotDescription& robot) {
-  std::vector<ObjectMerger::Ranger> rangers;
-  for (const auto& ranger : robot.rangers) rangers.push_back({ranger.name, rangerPose(ranger)});
-  return rangers;
-}
-
 sim::SimulationParameters sensorsOf(DriveLoopParameters parameters) {
   parameters.simulation.sensors.colour_rate = 0.0;
   parameters.simulation.sensors.imu_rate = 0.0;

@@ -201,6 +201,12 @@ Eigen::Isometry3d rangerPose(const RangerOnRobot& ranger) {
   return bodyPose(body);
 }
 
+std::vector<ObjectMerger::Ranger> rangersOf(const RobotDescription& robot) {
+  std::vector<ObjectMerger::Ranger> rangers;
+  for (const auto& ranger : robot.rangers) rangers.push_back({ranger.name, rangerPose(ranger)});
+  return rangers;
+}
+
 Eigen::Isometry3d opticalRotation() {
   Eigen::Isometry3d T_link_optical = Eigen::Isometry3d::Identity();
   T_link_optical.linear() << 0, 0, 1,  //

@@ -10,6 +10,7 @@
 #include "core/motion/avoidance_parameters.hpp"
 #include "core/motion/base_parameters.hpp"
 #include "core/motion/footprint.hpp"
+#include "core/motion/object_merger.hpp"
 #include "doors/strict_parameters.hpp"
 
 namespace pilothouse {
@@ -64,5 +65,7 @@ Eigen::Isometry3d opticalRotation();
 std::string bodyFrame(const std::string& optical_frame);
 /// T_base_ranger: x along the middle of its cone.
 Eigen::Isometry3d rangerPose(const RangerOnRobot& ranger);
+/// The robot's, as the merger wants them.
+std::vector<ObjectMerger::Ranger> rangersOf(const RobotDescription& robot);
 
 }  // namespace pilothouse

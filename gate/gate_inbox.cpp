@@ -1,10 +1,11 @@
 #include "gate/gate_inbox.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "doors/guarded_subscriber.hpp"
+#include "doors/motion_views.hpp"
+#include "doors/steady_clock.hpp"
 
 namespace pilothouse {
 namespace {
@@ -33,10 +34,6 @@ ShortName shortName(const std::string& name) {
   return out;
 }
 
-double steadyNow() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 GateInbox::GateInbox(const GateParameters& parameters, ros::NodeHandle& handle)
     : parameters_(parameters) {
   ros::NodeHandle own(handle);
@@ -59,15 +56,13 @@ void GateInbox::listen(ros::NodeHandle& handle, const std::string& topic,
 }
 
 void GateInbox::takeOdometry(const nav_msgs::Odometry& message) {
-  const auto& q = message.pose.pose.orientation;
-  const auto& v = message.twist.twist;
+  const auto motion = openOdometry(message);
+  if (!motion) return refuse("odom: " + motion.reason());
   OdometryMessage odometry;
   odometry.stamp = message.header.stamp.toSec();
   odometry.arrival = steadyNow();
-  odometry.pose = {message.pose.pose.position.x, message.pose.pose.position.y,
-                   std::atan2(q.z * q.w + q.x * q.y, 0.5 - q.y * q.y - q.z * q.z)};
-  odometry.twist = {v.linear.x, v.linear.y, v.angular.z};
-  if (!odometry.pose.finite() || !odometry.twist.finite()) return refuse("odom: not finite");
+  odometry.pose = motion->pose;
+  odometry.twist = motion->twist;
   const std::lock_guard<std::mutex> lock(mutex_);
   newest_.odometry = odometry;
 }

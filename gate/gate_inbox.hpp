@@ -21,9 +21,6 @@ namespace pilothouse {
 using ShortName = std::array<char, 64>;
 ShortName shortName(const std::string& name);
 
-/// Seconds of the steady clock.
-double steadyNow();
-
 /// The newest message of each input of the stop gate, as plain numbers. Its callbacks run on a
 /// thread of their own, and hold the lock only while they copy those numbers.
 class GateInbox {
@@ -54,9 +51,6 @@ class GateInbox {
   void refuse(const std::string& reason);
 
   GateParameters parameters_;
-  ros::CallbackQueue queue_;
-  ros::AsyncSpinner spinner_{1, &queue_};
-  std::vector<ros::Subscriber> subscribers_;
   std::atomic<std::uint32_t> stop_requests_{0}, arm_requests_{0};
 
   std::mutex mutex_;
@@ -67,6 +61,11 @@ class GateInbox {
   std::mutex refusals_mutex_;
   std::uint64_t refused_ = 0;
   std::string last_refusal_;
+
+  // Last: the spinner ends before anything that its callbacks use.
+  ros::CallbackQueue queue_;
+  std::vector<ros::Subscriber> subscribers_;
+  ros::AsyncSpinner spinner_{1, &queue_};
 };
 
 }  // namespace pilothouse

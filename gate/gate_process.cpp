@@ -6,6 +6,7 @@
 
 #include <random>
 
+#include "doors/steady_clock.hpp"
 #include "gate/real_time.hpp"
 
 namespace pilothouse {

@@ -37,15 +37,11 @@ class GateProcess {
   GateInbox inbox_;
   PublisherWatch watch_;
   ros::Publisher commands_, states_, diagnostics_;
-  ros::CallbackQueue services_queue_;
-  ros::AsyncSpinner services_spinner_{1, &services_queue_};
-  ros::ServiceServer arm_, stop_;
 
   // Only the beat's.
   GateState state_;
   GateInbox::Names names_{};
   PublisherWatch::Seen seen_;
-  std::uint32_t arm_answered_ = 0;
 
   // What the beat shows to the others; it never waits for this lock.
   std::mutex mutex_;
@@ -57,6 +53,11 @@ class GateProcess {
   std::atomic<double> longest_beat_{0.0};  ///< between two beats since the last report [s]
   std::string not_real_time_;              ///< written before the first beat
   std::thread reporter_, beat_;
+
+  // Last: the spinner ends before anything that the services use.
+  ros::CallbackQueue services_queue_;
+  ros::ServiceServer arm_, stop_;
+  ros::AsyncSpinner services_spinner_{1, &services_queue_};
 };
 
 }  // namespace pilothouse

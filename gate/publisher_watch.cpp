@@ -4,6 +4,7 @@
 #include <ros/this_node.h>
 
 #include "doors/guarded_subscriber.hpp"
+#include "doors/steady_clock.hpp"
 
 namespace pilothouse {
 

@@ -37,13 +37,15 @@ class PublisherWatch {
   void askMaster();
 
   std::string topic_;
-  ros::CallbackQueue queue_;
-  ros::AsyncSpinner spinner_{1, &queue_};
-  ros::Subscriber subscriber_;
   std::mutex mutex_;
   Seen seen_;
   bool own_heard_ = false;  ///< our own publisher is among the connected ones
   std::set<std::string> listed_;
+
+  // Last: the spinner ends before anything that its callback uses.
+  ros::CallbackQueue queue_;
+  ros::Subscriber subscriber_;
+  ros::AsyncSpinner spinner_{1, &queue_};
 };
 
 }  // namespace pilothouse

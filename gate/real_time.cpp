@@ -10,6 +10,8 @@
 #include <cstring>
 #include <thread>
 
+#include "doors/steady_clock.hpp"
+
 namespace pilothouse {
 
 std::string becomeRealTime() {
@@ -25,8 +27,7 @@ std::string becomeRealTime() {
 
 void SteadyPace::wait(double period) {
   using Clock = std::chrono::steady_clock;
-  const double now = std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
-  next_ = std::max(next_ + period, now);
+  next_ = std::max(next_ + period, steadyNow());
   std::this_thread::sleep_until(Clock::time_point(
       std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(next_))));
 }

@@ -2,7 +2,6 @@
 #include <nodelet/nodelet.h>
 #include <pilothouse/RouteState.h>
 #include <tf2_ros/transform_listener.h>
-#include <chrono>
 #include <iomanip>
 #include <pluginlib/class_list_macros.hpp>
 #include <sstream>
@@ -10,6 +9,7 @@
 #include "doors/guarded_subscriber.hpp"
 #include "doors/motion_views.hpp"
 #include "doors/robot_description.hpp"
+#include "doors/steady_clock.hpp"
 #include "nodelets/executor_holds.hpp"
 #include "nodelets/input_health.hpp"
 #include "nodelets/wheel_commands.hpp"
@@ -194,11 +194,6 @@ class MotionExecutorNodelet : public nodelet::Nodelet {
     message.distance_left = static_cast<float>(output.distance_left);
     message.text = text;
     state_.publish(message);
-  }
-
-  static double steadyNow() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
-        .count();
   }
 
   static constexpr double kOldestOdometry = 0.3;   ///< since it came in [s]

@@ -23,6 +23,7 @@ class RobotStandIn {
   std::atomic<bool> odometry{true}, perception{true}, limiter{true}, command{true};
   std::atomic<bool> console{false}, pressed{false}, driving{false};
   std::atomic<bool> restamped{false};  ///< the last command goes on, unchanged
+  std::atomic<bool> turned{false};     ///< odometry tells no orientation that there is
   std::atomic<double> speed{0.2};
 
   RobotStandIn() {
@@ -84,10 +85,12 @@ class RobotStandIn {
 
   void publish() {
     nav_msgs::Odometry odometry_message;
+    odometry_message.pose.pose.orientation.w = 1.0;
     while (!ending_) {
       const ros::Time now = ros::Time::now();
       odometry_message.header.stamp = now;
       odometry_message.pose.pose.position.x += 1e-6;  // moves, however little
+      odometry_message.pose.pose.orientation.w = turned ? 2.0 : 1.0;
       if (odometry) odometry_.publish(odometry_message);
       publishOperator(now);
       if (perception) seen_ = now;
