@@ -23,12 +23,13 @@ class Avoidance : public nodelet::Nodelet {
     ros::NodeHandle& handle = getNodeHandle();
     StrictParameters robot_reader(ros::NodeHandle(handle, "robot"));
     RobotDescription robot = readRobot(robot_reader);
-    std::string base_frame = "base_link";
+    AvoidanceLoop::Frames frames;
     StrictParameters own(getPrivateNodeHandle());
-    own.read("base_frame", base_frame);
+    own.read("base_frame", frames.base);
+    own.read("odom_frame", frames.odometry);
     readAvoidanceParameters(own, robot.avoidance);
     own.finish();
-    loop_ = std::make_unique<AvoidanceLoop>(robot, handle, base_frame);
+    loop_ = std::make_unique<AvoidanceLoop>(robot, handle, frames);
 
     toConfig(robot.avoidance).__toServer__(getPrivateNodeHandle());
     server_ =

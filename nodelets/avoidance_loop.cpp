@@ -2,11 +2,11 @@
 
 #include <ros/console.h>
 
-#include <chrono>
 #include <cmath>
 #include <limits>
 
 #include "doors/motion_views.hpp"
+#include "doors/steady_clock.hpp"
 
 namespace pilothouse {
 namespace {
@@ -16,15 +16,14 @@ constexpr double kObjectsPeriod = 0.1;  // of the lists while no grid comes [s]
 constexpr double kMoving = 0.02;        // what is seen changes from this speed on [m/s, rad/s]
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-std::vector<ObjectMerger::Ranger> rangersOf(const RobotDescription& robot) {
-  std::vector<ObjectMerger::Ranger> rangers;
-  for (const auto& ranger : robot.rangers) rangers.push_back({ranger.name, rangerPose(ranger)});
-  return rangers;
-}
-
 /// A stamp that lies ahead would never grow old.
 bool isAhead(double stamp) {
   return !(stamp <= ros::Time::now().toSec() + kJitter);
+}
+
+/// A name from outside, which may be long.
+std::string shown(const std::string& name) {
+  return '"' + name.substr(0, 64) + '"';
 }
 
 double ageOf(double stamp, double now) {
@@ -34,16 +33,12 @@ double ageOf(double stamp, double now) {
 }  // namespace
 
 AvoidanceLoop::AvoidanceLoop(const RobotDescription& robot, ros::NodeHandle& handle,
-                             const std::string& base_frame)
-    : base_frame_(base_frame),
+                             const Frames& frames)
+    : frames_(frames),
       merger_(robot.avoidance, robot.outline(), rangersOf(robot)),
       limiter_(robot.avoidance, robot.drive, robot.outline()),
-      outputs_(handle, base_frame),
+      outputs_(handle, frames.base),
       last_step_(steadyNow()) {}
-
-double AvoidanceLoop::steadyNow() const {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 void AvoidanceLoop::setParameters(const AvoidanceParameters& parameters) {
   limiter_.setParameters(parameters);
@@ -64,7 +59,7 @@ void AvoidanceLoop::noticeTime(double now) {
 }
 
 std::string AvoidanceLoop::take(const FloorGrid& grid) {
-  if (grid.header.frame_id != base_frame_) return "a grid in another frame than " + base_frame_;
+  if (grid.header.frame_id != frames_.base) return "a grid in another frame than " + frames_.base;
   const auto frame = openGrid(grid, classes_);
   if (!frame) return frame.reason();
   const bool moving = measured_.linear() + std::abs(measured_.w) > kMoving;
@@ -77,6 +72,10 @@ std::string AvoidanceLoop::take(const FloorGrid& grid) {
 std::string AvoidanceLoop::take(const nav_msgs::Odometry& odometry) {
   const auto motion = openOdometry(odometry);
   if (!motion) return motion.reason();
+  if (odometry.header.frame_id != frames_.odometry || odometry.child_frame_id != frames_.base) {
+    return "of " + shown(odometry.child_frame_id) + " in " + shown(odometry.header.frame_id) +
+           ", expected of \"" + frames_.base + "\" in \"" + frames_.odometry + "\"";
+  }
   const double stamp = odometry.header.stamp.toSec();
   if (isAhead(stamp)) return "stamped ahead of the clock";
   if (stamp + kJitter < odometry_stamp_) clear();

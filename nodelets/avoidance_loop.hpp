@@ -23,8 +23,11 @@ namespace pilothouse {
 /// a time.
 class AvoidanceLoop {
  public:
-  AvoidanceLoop(const RobotDescription& robot, ros::NodeHandle& handle,
-                const std::string& base_frame);
+  struct Frames {
+    std::string base = "base_link";
+    std::string odometry = "odom";
+  };
+  AvoidanceLoop(const RobotDescription& robot, ros::NodeHandle& handle, const Frames& frames);
   /// @throws std::invalid_argument listing every fault; then the old ones stay.
   void setParameters(const AvoidanceParameters& parameters);
   const AvoidanceParameters& parameters() const { return limiter_.parameters(); }
@@ -44,9 +47,8 @@ class AvoidanceLoop {
   void clear();
   void noticeTime(double now);
   AvoidanceStamps stamps(double now) const;
-  double steadyNow() const;
 
-  std::string base_frame_;
+  Frames frames_;
   ObjectMerger merger_;
   SpeedLimiter limiter_;
   AvoidanceOutputs outputs_;
