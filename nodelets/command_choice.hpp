@@ -10,7 +10,8 @@ namespace pilothouse {
 
 /// Chooses between what a person wants and what a task wants: the person wins while their wish is
 /// fresh. Times are of two clocks: stamps by that of who wished (a console's may go wrong),
-/// arrivals by the steady one. A stamp that is not newer than the last refreshes nothing.
+/// arrivals by the steady one. A stamp that is not newer than the last refreshes nothing; an older
+/// one does after a silence, for the clock of who wished may have been set back.
 class CommandChoice {
  public:
   enum Source { kTeleop = 0, kTask = 1 };
@@ -20,12 +21,14 @@ class CommandChoice {
     double stamp = 0.0;  ///< when it was made, by the clock of who made it [s]
     double age = std::numeric_limits<double>::infinity();  ///< since it arrived [s]
   };
-  static constexpr double kFresh = 0.5;  ///< [s]
+  static constexpr double kFresh = 0.5;    ///< [s]
+  static constexpr double kSilence = 1.0;  ///< without a newer stamp [s]
 
-  /// @return false when it is no newer than the last one of that source.
+  /// @return false when it was refused: no newer than the last one of that source.
   bool take(Source source, const Twist2& twist, double stamp, double arrival) {
     Kept& kept = kept_[source];
-    if (!(stamp > kept.stamp)) return false;
+    const bool set_back = stamp < kept.stamp && arrival - kept.arrival > kSilence;
+    if (!(stamp > kept.stamp) && !(stamp > 0.0 && set_back)) return false;
     kept = {twist, stamp, arrival};
     return true;
   }
