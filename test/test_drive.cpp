@@ -60,9 +60,11 @@ class Chain {
     return loaded;
   }
   bool arm() {
-    std_srvs::Trigger trigger;
-    return spinUntil([&] { return gate.can_arm; }) &&
-           ros::service::call("stop_gate/arm", trigger) && trigger.response.success;
+    return spinUntil([&] {
+      std_srvs::Trigger trigger;
+      return gate.can_arm && ros::service::call("stop_gate/arm", trigger) &&
+             trigger.response.success;
+    });
   }
   /// Until `done`; where a busy computer made an input stale, the gate is armed again: how fast
   /// things go is not what is asserted here.
@@ -95,8 +97,11 @@ class Chain {
   }
   double x() const { return truth.pose.pose.position.x; }
   double speed() const { return truth.twist.twist.linear.x; }
-  bool waitsStanding() const {
-    return route_state.state == RouteState::WAITING && std::abs(speed()) < 1e-3;
+  /// And not because a busy computer made something stale.
+  bool standsBeforeSomething() const {
+    return route_state.state == RouteState::WAITING &&
+           route_state.text.find("held") != std::string::npos && gate.state != StopState::STOPPED &&
+           limit.limit == 0.0F && std::isfinite(limit.distance) && std::abs(speed()) < 1e-3;
   }
 
   StopState gate;
@@ -145,7 +150,6 @@ TEST(Drive, SlowsBesideThingsStandsBeforeABoxAndGoesOnWhenItIsGone) {
     return chain.route_state.state == RouteState::WAITING &&
            chain.route_state.text.find("stop gate") != std::string::npos;
   }));
-  EXPECT_NE(chain.route_state.text.find("stop gate"), std::string::npos) << chain.route_state.text;
   EXPECT_NEAR(chain.x(), 0.0, 0.02) << "nothing moves before it is armed";
   ASSERT_TRUE(chain.arm());
   ASSERT_TRUE(chain.place("box", 3.4, 0.0));
@@ -156,7 +160,7 @@ TEST(Drive, SlowsBesideThingsStandsBeforeABoxAndGoesOnWhenItIsGone) {
     if (chain.x() < 1.0) before = std::max(before, chain.speed());
     if (chain.x() > 1.5 && chain.x() < 2.0) beside = std::min(beside, chain.speed());
     said = said || (chain.limit.cause == SpeedLimit::POTENTIAL && chain.limit.distance < 0.5F);
-    return chain.x() > 2.0 && chain.waitsStanding();
+    return chain.x() > 2.0 && chain.standsBeforeSomething();
   })) << chain.route_state.text
       << " at " << chain.x();
   EXPECT_GT(before, 0.3);
@@ -165,7 +169,6 @@ TEST(Drive, SlowsBesideThingsStandsBeforeABoxAndGoesOnWhenItIsGone) {
   // The box begins at 3.2, the robot ends 0.25 m before its middle and keeps 0.25 m.
   EXPECT_LE(chain.x(), 3.2 - 0.25 - 0.25 + 0.02);
   EXPECT_GE(chain.x(), 3.2 - 0.25 - 0.25 - 0.2);
-  EXPECT_NE(chain.route_state.text.find("held"), std::string::npos) << chain.route_state.text;
 
   ASSERT_TRUE(chain.place("box", -5.0, 5.0));
   ASSERT_TRUE(chain.driveUntil([&] { return chain.route_state.state == RouteState::REACHED; }))
