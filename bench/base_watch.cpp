@@ -17,10 +17,6 @@ constexpr double kArm = 0.3;  // turning counts as at this distance [m]
 
 }  // namespace
 
-double steadyNow() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 void pause(double seconds) {
   std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
   throwIfInterrupted();
@@ -45,6 +41,7 @@ BaseWatch::BaseWatch(ros::NodeHandle& handle) {
       handle.subscribe(commands),
       handle.subscribe("ground_truth", 100, &BaseWatch::takeTruth, this, hints),
       handle.subscribe("stop_state", 100, &BaseWatch::takeState, this, hints),
+      handle.subscribe("speed_limit", 100, &BaseWatch::takeLimit, this, hints),
       handle.subscribe("camera/depth/camera_info", 100, &BaseWatch::takePicture, this, hints)};
 }
 
@@ -75,6 +72,11 @@ void BaseWatch::takeState(const StopState& state) {
   state_ = state;
   state_at_ = steadyNow();
   changed_.notify_all();
+}
+
+void BaseWatch::takeLimit(const SpeedLimit& limit) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  limit_ = limit;
 }
 
 void BaseWatch::takePicture(const sensor_msgs::CameraInfo& info) {
@@ -151,6 +153,11 @@ BaseWatch::Truth BaseWatch::truthNow() const {
 StopState BaseWatch::stateNow() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return state_;
+}
+
+SpeedLimit BaseWatch::limitNow() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return limit_;
 }
 
 }  // namespace pilothouse::bench

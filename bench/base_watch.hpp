@@ -2,6 +2,7 @@
 
 #include <geometry_msgs/Twist.h>
 #include <nav_msgs/Odometry.h>
+#include <pilothouse/SpeedLimit.h>
 #include <pilothouse/StopState.h>
 #include <ros/ros.h>
 #include <sensor_msgs/CameraInfo.h>
@@ -11,11 +12,10 @@
 #include <vector>
 
 #include "core/motion/planar.hpp"
+#include "doors/steady_clock.hpp"
 
 namespace pilothouse::bench {
 
-/// Seconds of the steady clock.
-double steadyNow();
 /// Waits. @throws std::runtime_error after SIGINT or SIGTERM, so that what was started is ended.
 void pause(double seconds);
 /// From now on these signals are noticed by throwIfInterrupted().
@@ -71,11 +71,13 @@ class BaseWatch {
 
   Truth truthNow() const;
   StopState stateNow() const;
+  SpeedLimit limitNow() const;
 
  private:
   void takeCommand(const ros::MessageEvent<const geometry_msgs::Twist>& event);
   void takeTruth(const nav_msgs::Odometry& odometry);
   void takeState(const StopState& state);
+  void takeLimit(const SpeedLimit& limit);
   void takePicture(const sensor_msgs::CameraInfo& info);
 
   std::vector<ros::Subscriber> subscribers_;
@@ -87,6 +89,7 @@ class BaseWatch {
   StopState state_;
   double state_at_ = 0.0;
   Truth truth_;
+  SpeedLimit limit_;
 };
 
 }  // namespace pilothouse::bench

@@ -18,7 +18,8 @@ const EvalCommand kCommand{
     "eval stop",
     "Faults of every part of a driving simulated robot, then obstacles that appear before it with\n"
     "a core kept busy. Bars: fault to zero command p99 <= 0.35 s and max <= 0.5 s, nothing moves\n"
-    "before re-arming, all up again within 5 s; depth stamp to zero command p99 <= 0.15 s.",
+    "before re-arming, all up again within 5 s; depth stamp to zero command p99 <= 0.15 s and\n"
+    "max <= 0.25 s, moving within 5 s of the obstacle's end.",
     {"--faults", "--appearances", "--seed", "--out"}};
 
 /// Keeps one core busy while it lives.

@@ -1,6 +1,7 @@
 #include "bench/own_master.hpp"
 
 #include <arpa/inet.h>
+#include <fcntl.h>
 #include <ros/master.h>
 #include <ros/time.h>
 #include <signal.h>
@@ -32,14 +33,22 @@ int freePort() {
 
 }  // namespace
 
-pid_t startProcess(const std::vector<std::string>& arguments) {
+pid_t startProcess(const std::vector<std::string>& arguments, const std::string& log) {
   std::vector<char*> raw;
   for (const std::string& argument : arguments) raw.push_back(const_cast<char*>(argument.c_str()));
   raw.push_back(nullptr);
-  pid_t process = -1;
-  if (posix_spawnp(&process, raw[0], nullptr, nullptr, raw.data(), environ) != 0) {
-    throw std::runtime_error("cannot start " + arguments[0]);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  if (!log.empty()) {
+    constexpr mode_t kMode = 0644;
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, log.c_str(),
+                                     O_WRONLY | O_CREAT | O_TRUNC, kMode);
+    posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
   }
+  pid_t process = -1;
+  const bool started = posix_spawnp(&process, raw[0], &actions, nullptr, raw.data(), environ) == 0;
+  posix_spawn_file_actions_destroy(&actions);
+  if (!started) throw std::runtime_error("cannot start " + arguments[0]);
   return process;
 }
 

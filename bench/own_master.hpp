@@ -27,6 +27,7 @@ class OwnMaster {
 };
 
 /// Starts a program with these arguments, found by PATH. @throws std::runtime_error.
-pid_t startProcess(const std::vector<std::string>& arguments);
+/// @param log file that its output and errors replace; empty: they are this process's own.
+pid_t startProcess(const std::vector<std::string>& arguments, const std::string& log = {});
 
 }  // namespace pilothouse::bench

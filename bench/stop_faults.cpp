@@ -114,6 +114,7 @@ std::vector<StopFault> stopFaults(ros::NodeHandle& handle, const StopFaultHooks&
     faults.push_back(sensorFault(sensor, "freeze", 0.0));
     faults.push_back(sensorFault(sensor, "delay", 1.0));
   }
+  faults.push_back(sensorFault("odometry", "stand", 0.0));
   faults.push_back(sensorFault("front", "drop", 0.0));
   faults.push_back(secondPublisher(handle));
   faults.push_back(silentCommand(hooks.command_silent));

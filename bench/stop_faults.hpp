@@ -26,7 +26,7 @@ struct StopFaultHooks {
   ros::Publisher* limited;  ///< on cmd_vel/limited
 };
 
-/// Lets a simulated sensor fail: freeze, drop, delay, none. @throws std::runtime_error.
+/// Lets a simulated sensor fail: freeze, stand, drop, delay, none. @throws std::runtime_error.
 void failSensor(const std::string& sensor, const std::string& kind, double amount);
 
 /// Every fault of eval stop. @throws std::runtime_error when injected, where the robot does not

@@ -1,6 +1,5 @@
 #include "bench/stop_rig.hpp"
 
-#include <fcntl.h>
 #include <geometry_msgs/TwistStamped.h>
 #include <signal.h>
 #include <std_srvs/Trigger.h>
@@ -17,16 +16,15 @@ namespace pilothouse::bench {
 namespace {
 
 constexpr double kSpeed = 0.4;           // [m/s]
-constexpr double kTurnRate = 0.25;       // a circle of 1.6 m [rad/s]
 constexpr double kDriving = 0.3;         // it drives from this speed on [m/s]
 constexpr double kUpDeadline = 20.0;     // [s]
 constexpr double kDriveDeadline = 60.0;  // with a few stops of a busy computer [s]
 
 /// roslaunch with its words in a file, so that the evaluation's own stay readable.
 pid_t startLaunch(const std::string& world, std::uint64_t seed, const std::string& log) {
-  return startProcess({"sh", "-c",
-                       "exec roslaunch pilothouse stop_trial.launch world:=" + world +
-                           " seed:=" + std::to_string(seed % 1000000) + " >" + log + " 2>&1"});
+  return startProcess({"roslaunch", "pilothouse", "stop_trial.launch", "world:=" + world,
+                       "seed:=" + std::to_string(seed % 1000000)},
+                      log);
 }
 
 }  // namespace
@@ -72,7 +70,7 @@ void StopRig::drive() {
     geometry_msgs::TwistStamped wish;
     wish.header.stamp = ros::Time::now();
     wish.twist.linear.x = kSpeed;
-    wish.twist.angular.z = kTurnRate;
+    wish.twist.angular.z = kSpeed / kStopWorldCircle;
     if (!silent_) task_.publish(wish);
     ros::WallDuration(0.05).sleep();
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <stdexcept>
 
@@ -18,8 +19,8 @@ constexpr double kHeld = 0.5;      // and watched when all is well again, before
 constexpr double kBrakes = 0.7;    // the base needs to stand still [s]
 constexpr double kFront = 0.25;    // of the robot's outline before its middle [m]
 constexpr double kGap = 0.95;      // within the stop distance, and where the camera can see [m]
+constexpr double kResumes = 6.0;   // a robot that stands so long stands for good [s]
 constexpr double kDriving = 0.25;  // [m/s]
-constexpr double kCurve = 0.6;     // of the circle it drives [1/m]
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 double drawn(std::mt19937& random, double low, double high) {
@@ -45,6 +46,17 @@ ros::Time place(double x, double y, double heading) {
   if (!ros::service::call("simulator/place", call) || !call.response.ok)
     throw std::runtime_error("the box cannot be placed: " + call.response.message);
   return call.response.stamp;
+}
+
+/// Why the robot stands, for a human.
+std::string holdOf(const BaseWatch& watch) {
+  const SpeedLimit limit = watch.limitNow();
+  char place[96];
+  std::snprintf(place, sizeof place, " at %.2f m (%.2f, %.2f), limit %.3f m/s",
+                static_cast<double>(limit.distance), static_cast<double>(limit.position.x),
+                static_cast<double>(limit.position.y), static_cast<double>(limit.limit));
+  return watch.stateNow().text + "; limit: cause " + std::to_string(limit.cause) + ", " +
+         limit.sensor + place;
 }
 
 }  // namespace
@@ -96,7 +108,7 @@ AppearanceResult tryAppearance(StopRig& rig, std::mt19937& random) {
   result.speed = truth.speed;
   const double ahead = kFront + kGap + 0.5 * kStopWorldBoxEdge;
   const Eigen::Vector2d spot =
-      advanced(truth.pose, {ahead, 0.0, truth.speed > 0.0 ? ahead * kCurve : 0.0}, 1.0).position();
+      advanced(truth.pose, {ahead, 0.0, ahead / kStopWorldCircle}, 1.0).position();
   const double placed = place(spot.x(), spot.y(), truth.pose.heading).toSec();
   watch.wait(1.5, [] { return false; });
   const double picture = watch.pictureFrom(placed);
@@ -106,9 +118,14 @@ AppearanceResult tryAppearance(StopRig& rig, std::mt19937& random) {
   watch.clear();
   const double away = steadyNow();
   place(kStopWorldBoxAway, kStopWorldBoxAway, 0.0);
-  const bool resumed =
-      watch.wait(5.0, [&] { return watch.truth().at > away && watch.truth().speed > 0.02; });
+  bool resumed = false;
+  watch.wait(kResumes, [&] {
+    result.stopped = watch.state().state == StopState::STOPPED;
+    resumed = !result.stopped && watch.truth().at > away && watch.truth().speed > 0.02;
+    return resumed || result.stopped;
+  });
   result.resumed = resumed ? steadyNow() - away : kNone;
+  if (!resumed) result.held_by = holdOf(watch);
   return result;
 }
 

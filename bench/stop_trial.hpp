@@ -25,9 +25,11 @@ StopResult tryFault(StopRig& rig, const StopFault& fault, std::mt19937& random);
 
 /// What came of an obstacle that appears.
 struct AppearanceResult {
+  bool stopped = false;     ///< the gate, which no obstacle stops: no figure means anything
   double to_zero = 0.0;     ///< from the depth picture's stamp to the zero command [s]; NaN: never
   double from_place = 0.0;  ///< the same from when it was put there [s]
   double resumed = 0.0;     ///< from when it was taken away to the first command [s]; NaN: never
+  std::string held_by;      ///< where it did not resume: the gate's words, and the limit
   double speed = 0.0;       ///< of the robot when it appeared [m/s]
 };
 

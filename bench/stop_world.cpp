@@ -6,7 +6,7 @@ std::string stopWorld() {
   return R"(<?xml version="1.0"?>
 <sdf version="1.9" xmlns:pilothouse="https://pilothouse.invalid/sdf">
   <world name="stop">
-    <pilothouse:start>0 -1.5 0</pilothouse:start>
+    <pilothouse:start>0 -3.2 0</pilothouse:start>
     <model name="floor">
       <static>true</static>
       <link name="link"><visual name="shape">
