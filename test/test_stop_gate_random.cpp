@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "test/gate_bench.hpp"
+#include "bench/gate_bench.hpp"
 
 namespace pilothouse {
 namespace {
