@@ -11,11 +11,12 @@
 #include <string>
 #include <vector>
 
+#include "bench/bench_options.hpp"
+#include "bench/gate_bench.hpp"
 #include "bench/interleaved_timing.hpp"
 #include "bench/json_line.hpp"
 #include "core/motion/local_memory.hpp"
 #include "core/motion/speed_limiter.hpp"
-#include "core/motion/stop_gate.hpp"
 #include "doors/package_files.hpp"
 #include "nodelets/sim_robot.hpp"
 #include "sim/simulation.hpp"
@@ -29,7 +30,8 @@ constexpr double kGateMs = 0.01;                 // a step of the stop gate
 constexpr double kSimulationMs = 1000.0 / 30.0;  // a frame of 640 x 480 with its share of colour
 constexpr int kObjects = 5000;
 
-constexpr const char* kHelp =
+const BenchCommand kCommand{
+    "bench_motion",
     "usage: bench_motion [--rounds N] [--out FILE]\n"
     "Times the way's judgement with 5,000 objects, straight, on arcs and turning, for a "
     "rectangular\n"
@@ -40,41 +42,8 @@ constexpr const char* kHelp =
     "  --rounds N    5..100000 (default 300)\n"
     "  --out FILE    write a JSON object a line to FILE\n"
     "Limits: 0.1 ms for the way, 0.01 ms for the gate, real time for the simulator. Ends with 1\n"
-    "where one is missed, 2 on a wrong call.\n";
-
-struct Options {
-  int rounds = 300;
-  std::string out;
-};
-
-[[noreturn]] void refuse(const std::string& message) {
-  std::cerr << "bench_motion: " << message << "\n";
-  std::exit(2);
-}
-
-Options readOptions(int argc, char** argv) {
-  Options options;
-  for (int i = 1; i < argc; ++i) {
-    const std::string option = argv[i];
-    if (option == "--help" || option == "-h") {
-      std::cout << kHelp;
-      std::exit(0);
-    }
-    if (option != "--rounds" && option != "--out") refuse("unknown option '" + option + "'");
-    if (++i >= argc) refuse(option + " needs a value");
-    if (option == "--out") {
-      options.out = argv[i];
-      continue;
-    }
-    char* end = nullptr;
-    const long rounds = std::strtol(argv[i], &end, 10);
-    if (*end != '\0' || rounds < 5 || rounds > 100000) {
-      refuse(std::string("--rounds is '") + argv[i] + "', expected 5..100000");
-    }
-    options.rounds = static_cast<int>(rounds);
-  }
-  return options;
-}
+    "where one is missed, 2 on a wrong call.\n",
+    {}};
 
 RobotDescription robot(const std::string& name) {
   const auto description = readRobotFile(packageFile("config/robots/" + name + ".yaml"));
@@ -119,6 +88,9 @@ struct Crowd {
   }
 };
 
+constexpr const char* kGateCase = "stop gate, a step in motion";
+constexpr int kGateSteps = 100;  // timed at once
+
 volatile double sink = 0.0;  // what is computed must not be left out
 
 void addWays(std::vector<TimedCase>& cases) {
@@ -153,24 +125,23 @@ void addWays(std::vector<TimedCase>& cases) {
                    std::nullopt});
 }
 
+/// Armed, with a person driving: all that a step can have to do.
 void addGate(std::vector<TimedCase>& cases) {
-  struct Gate {
-    GateParameters parameters;
-    GateState state{1};
-    GateInputs inputs;
-  };
-  const auto gate = std::make_shared<Gate>();
-  cases.push_back({"stop gate, a step",
+  const auto gate = std::make_shared<GateBench>();
+  gate->console = true;
+  gate->run(0.2);
+  gate->wanted = {};
+  gate->source = CommandSource::kTeleop;
+  if (!gate->armed()) throw std::runtime_error("the stop gate does not let itself be armed");
+  gate->wanted = {0.3, 0.0, 0.1};
+  cases.push_back({kGateCase,
                    [gate] {
-                     gate->inputs.now.steady += 0.02;
-                     gate->inputs.now.ros += 0.02;
-                     for (int i = 0; i < 100; ++i) {
-                       sink = step(gate->parameters, gate->state, gate->inputs).command.vx;
-                     }
+                     for (int i = 0; i < kGateSteps; ++i) sink = gate->tick().command.vx;
+                     if (sink == 0.0) throw std::runtime_error("the stop gate stopped");
                    },
                    {},
                    false,
-                   100.0 * kGateMs});
+                   kGateSteps * kGateMs});
 }
 
 void addMemory(std::vector<TimedCase>& cases) {
@@ -247,11 +218,11 @@ bool timeSimulator(std::ostream& out, int seconds) {
   return tell(out, "simulator, a frame", all.count() / frames, all.count() / frames, kSimulationMs);
 }
 
-int run(const Options& options) {
+int run(const BenchOptions& options) {
   std::ofstream out;
   if (!options.out.empty()) {
     out.open(options.out);
-    if (!out) refuse("cannot write " + options.out);
+    if (!out) refuse(kCommand, "cannot write " + options.out);
   }
   pinToOneProcessor();
   std::vector<TimedCase> cases;
@@ -262,8 +233,7 @@ int run(const Options& options) {
   std::printf("%-36s %10s %10s %8s\n", "case", "median ms", "p95 ms", "of limit");
   bool kept = true;
   for (const auto& c : cases) {
-    const bool gate = c.name == "stop gate, a step";  // timed a hundred at once
-    const double share = gate ? 0.01 : 1.0;
+    const double share = c.name == kGateCase ? 1.0 / kGateSteps : 1.0;
     const double limit = c.limit ? *c.limit * share : kNoLimit;
     kept = tell(out, c.name, share * quantile(c.times_ms, 0.5), share * quantile(c.times_ms, 0.95),
                 limit) &&
@@ -278,10 +248,10 @@ int run(const Options& options) {
 
 int main(int argc, char** argv) {
   using namespace pilothouse::bench;
-  const Options options = readOptions(argc, argv);
+  const BenchOptions options = readOptions(kCommand, argc, argv);
   try {
     return run(options);
   } catch (const std::exception& fault) {
-    refuse(fault.what());
+    refuse(kCommand, fault.what());
   }
 }

@@ -8,6 +8,7 @@
 #include <memory>
 #include <string>
 
+#include "bench/bench_options.hpp"
 #include "bench/interleaved_timing.hpp"
 #include "bench/rivals.hpp"
 #include "bench/standard_frame.hpp"
@@ -22,7 +23,8 @@ constexpr double kCloudLimitAvx2 = 3.0;
 constexpr double kCloudLimitSse4 = 4.5;
 constexpr double kDepthLimit = 2.5;
 
-constexpr const char* kHelp =
+const BenchCommand kCommand{
+    "bench_perception",
     "usage: bench_perception [--rounds N] [--no-rivals] [--out FILE]\n"
     "Times the floor grid from clouds and depth, the streaming read of the same bytes, and PCL's\n"
     "and OctoMap's ways, on one processor and interleaved.\n"
@@ -31,46 +33,8 @@ constexpr const char* kHelp =
     "  --out FILE    write a JSON object a line to FILE\n"
     "Limits, in warm streaming reads of the 16-byte cloud (medians): improved/cloud16 3 with "
     "AVX2,\n"
-    "4.5 with SSE4; improved/depth 2.5. Ends with 1 where one is missed, 2 on a wrong call.\n";
-
-struct Options {
-  int rounds = 300;
-  bool rivals = true;
-  std::string out;
-};
-
-[[noreturn]] void refuse(const std::string& message) {
-  std::cerr << "bench_perception: " << message << "\n";
-  std::exit(2);
-}
-
-Options readOptions(int argc, char** argv) {
-  Options options;
-  for (int i = 1; i < argc; ++i) {
-    const std::string option = argv[i];
-    if (option == "--help" || option == "-h") {
-      std::cout << kHelp;
-      std::exit(0);
-    }
-    if (option == "--no-rivals") {
-      options.rivals = false;
-      continue;
-    }
-    if (option != "--rounds" && option != "--out") refuse("unknown option '" + option + "'");
-    if (++i >= argc) refuse(option + " needs a value");
-    if (option == "--out") {
-      options.out = argv[i];
-      continue;
-    }
-    char* end = nullptr;
-    const long rounds = std::strtol(argv[i], &end, 10);
-    if (*end != '\0' || rounds < 5 || rounds > 100000) {
-      refuse(std::string("--rounds is '") + argv[i] + "', expected 5..100000");
-    }
-    options.rounds = static_cast<int>(rounds);
-  }
-  return options;
-}
+    "4.5 with SSE4; improved/depth 2.5. Ends with 1 where one is missed, 2 on a wrong call.\n",
+    {"--no-rivals"}};
 
 class Perception {
  public:
@@ -163,9 +127,9 @@ class Perception {
   volatile unsigned long long sink_ = 0;
 };
 
-int run(const Options& options) {
+int run(const BenchOptions& options) {
   const int processor = pinToOneProcessor();
-  Perception perception(options.rivals);
+  Perception perception(!options.has("--no-rivals"));
   std::printf(
       "640x480, %zu valid points, %s\n", perception.frame().validPoints().size(),
       processor < 0 ? "not pinned" : ("pinned to processor " + std::to_string(processor)).c_str());
@@ -180,7 +144,7 @@ int run(const Options& options) {
 }  // namespace pilothouse::bench
 
 int main(int argc, char** argv) {
-  const auto options = pilothouse::bench::readOptions(argc, argv);
+  const auto options = pilothouse::bench::readOptions(pilothouse::bench::kCommand, argc, argv);
   try {
     return pilothouse::bench::run(options);
   } catch (const std::exception& fault) {
