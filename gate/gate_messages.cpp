@@ -5,6 +5,14 @@
 namespace pilothouse {
 namespace {
 
+static_assert(StopState::NONE == static_cast<int>(StopCause::kNone));
+static_assert(StopState::NOT_ARMED == static_cast<int>(StopCause::kNotArmed));
+static_assert(StopState::OPERATOR == static_cast<int>(StopCause::kOperator));
+static_assert(StopState::STALE_PERCEPTION == static_cast<int>(StopCause::kStalePerception));
+static_assert(StopState::STALE_ODOMETRY == static_cast<int>(StopCause::kStaleOdometry));
+static_assert(StopState::OPERATOR_GONE == static_cast<int>(StopCause::kOperatorGone));
+static_assert(StopState::BAD_COMMAND == static_cast<int>(StopCause::kBadCommand));
+static_assert(StopState::STALE_LIMIT == static_cast<int>(StopCause::kStaleLimit));
 static_assert(StopState::CLOCK == static_cast<int>(StopCause::kClock));
 static_assert(StopState::STALE_COMMAND == static_cast<int>(StopCause::kStaleCommand));
 static_assert(StopState::SECOND_PUBLISHER == static_cast<int>(StopCause::kSecondPublisher));

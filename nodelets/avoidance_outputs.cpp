@@ -11,6 +11,16 @@
 namespace pilothouse {
 namespace {
 
+// The limiter's causes are the message's numbers.
+static_assert(SpeedLimit::FREE == static_cast<int>(LimitCause::kFree));
+static_assert(SpeedLimit::OBSTACLE == static_cast<int>(LimitCause::kObstacle));
+static_assert(SpeedLimit::POTENTIAL == static_cast<int>(LimitCause::kPotential));
+static_assert(SpeedLimit::BRAKING == static_cast<int>(LimitCause::kBraking));
+static_assert(SpeedLimit::THRESHOLD == static_cast<int>(LimitCause::kThreshold));
+static_assert(SpeedLimit::UNSEEN == static_cast<int>(LimitCause::kUnseen));
+static_assert(SpeedLimit::STALE == static_cast<int>(LimitCause::kStale));
+static_assert(SpeedLimit::BAD_COMMAND == static_cast<int>(LimitCause::kBadCommand));
+
 std::string sensorOf(const PathLimit& limit, const AvoidanceStamps& stamps,
                      const Surroundings& surroundings) {
   if (limit.cause == LimitCause::kStale) {

@@ -6,6 +6,28 @@ namespace pilothouse::gui {
 
 namespace {
 
+// The console's causes are the messages' numbers.
+static_assert(SpeedLimit::FREE == static_cast<int>(LimitCause::kFree));
+static_assert(SpeedLimit::OBSTACLE == static_cast<int>(LimitCause::kObstacle));
+static_assert(SpeedLimit::POTENTIAL == static_cast<int>(LimitCause::kPotential));
+static_assert(SpeedLimit::BRAKING == static_cast<int>(LimitCause::kBraking));
+static_assert(SpeedLimit::THRESHOLD == static_cast<int>(LimitCause::kThreshold));
+static_assert(SpeedLimit::UNSEEN == static_cast<int>(LimitCause::kUnseen));
+static_assert(SpeedLimit::STALE == static_cast<int>(LimitCause::kStale));
+static_assert(SpeedLimit::BAD_COMMAND == static_cast<int>(LimitCause::kBadCommand));
+static_assert(SpeedLimit::BAD_COMMAND + 1 == kLimitCauses);
+static_assert(StopState::NONE == static_cast<int>(StopCause::kNone));
+static_assert(StopState::NOT_ARMED == static_cast<int>(StopCause::kNotArmed));
+static_assert(StopState::OPERATOR == static_cast<int>(StopCause::kOperator));
+static_assert(StopState::STALE_PERCEPTION == static_cast<int>(StopCause::kStalePerception));
+static_assert(StopState::STALE_ODOMETRY == static_cast<int>(StopCause::kStaleOdometry));
+static_assert(StopState::STALE_COMMAND == static_cast<int>(StopCause::kStaleCommand));
+static_assert(StopState::OPERATOR_GONE == static_cast<int>(StopCause::kOperatorGone));
+static_assert(StopState::SECOND_PUBLISHER == static_cast<int>(StopCause::kSecondPublisher));
+static_assert(StopState::BAD_COMMAND == static_cast<int>(StopCause::kBadCommand));
+static_assert(StopState::STALE_LIMIT == static_cast<int>(StopCause::kStaleLimit));
+static_assert(StopState::CLOCK == static_cast<int>(StopCause::kClock));
+
 constexpr double kMostSpeed = 1000.0;     // m/s; beyond it a message is garbage
 constexpr double kMostDistance = 1.0e4;   // m
 constexpr std::size_t kMostNames = 64;    // joints, models touched
