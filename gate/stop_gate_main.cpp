@@ -3,6 +3,7 @@
 
 #include <csignal>
 
+#include "doors/respawned.hpp"
 #include "doors/robot_description.hpp"
 #include "gate/gate_process.hpp"
 
@@ -38,19 +39,23 @@ void waitForTheEnd() {
   while (ros::ok() && end_asked == 0) ros::WallDuration(0.05).sleep();
 }
 
-}  // namespace
-}  // namespace pilothouse
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
   ros::init(argc, argv, "stop_gate", ros::init_options::NoSigintHandler);
   try {
     ros::NodeHandle handle;
-    const pilothouse::GateParameters parameters = pilothouse::readParameters(handle);
-    const pilothouse::GateProcess gate(parameters, handle);
-    pilothouse::waitForTheEnd();
-  } catch (const pilothouse::ParameterFault&) {
+    const GateParameters parameters = readParameters(handle);
+    const GateProcess gate(parameters, handle);
+    waitForTheEnd();
+  } catch (const ParameterFault&) {
     return 1;  // each fault was logged
   }
   ros::shutdown();
   return 0;
+}
+
+}  // namespace
+}  // namespace pilothouse
+
+int main(int argc, char** argv) {
+  return pilothouse::runRespawned(argc, argv, [&] { return pilothouse::run(argc, argv); });
 }

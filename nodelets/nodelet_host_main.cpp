@@ -1,9 +1,11 @@
-// A nodelet manager that loads its nodelets by itself: those of ~nodelets, name: type. Where it is
-// killed and started again it is complete at once, without loaders whose bonds take seconds to
-// break and which a busy computer or a jump of time breaks for nothing.
+// A nodelet manager that loads its nodelets by itself: those of ~nodelets, name: type. With
+// --respawn it is started again where it is killed, but not where it refuses what it is asked; it
+// is complete at once, without loaders whose bonds take seconds to break and which a busy computer
+// or a jump of time breaks for nothing.
 #include <nodelet/loader.h>
 #include <ros/ros.h>
 
+#include "doors/respawned.hpp"
 #include "doors/strict_parameters.hpp"
 
 namespace {
@@ -31,7 +33,7 @@ std::map<std::string, std::string> readNodelets() {
   return found;
 }
 
-int run() {
+int load() {
   nodelet::Loader loader(ros::NodeHandle("~"));
   for (const auto& [name, type] : readNodelets()) {
     if (loader.load(name, type, ros::M_string(), nodelet::V_string())) continue;
@@ -42,13 +44,17 @@ int run() {
   return 0;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
   ros::init(argc, argv, "nodelet_host");
   try {
-    return run();
+    return load();
   } catch (const pilothouse::ParameterFault&) {
     return 1;  // each fault was logged
   }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return pilothouse::runRespawned(argc, argv, [&] { return run(argc, argv); });
 }

@@ -1,11 +1,14 @@
 #!/usr/bin/env python3
 """A process that is asked to start a nodelet with bad parameters ends with an error that names them."""
+import os
 import subprocess
 import sys
+import tempfile
 import unittest
 import xmlrpc.client
 
 import rosgraph
+import rospkg
 import rospy
 import rostest
 
@@ -38,6 +41,31 @@ class RefusedProcesses(unittest.TestCase):
         rospy.set_param('/robot/name', 'half')
         output = self.refuse('standalone', 'pilothouse/RobotFrames', '__name:=frames')
         self.assertIn('/robot: camera is missing', output)
+
+    def test_host_that_is_started_again_when_killed(self):
+        rospy.set_param('/host/nodelets', {'deep': 'pilothouse/DepthFloor'})
+        rospy.set_param('/deep/range', 'far')
+        done = subprocess.run(['rosrun', 'pilothouse', 'nodelet_host', '--respawn', '__name:=host'], timeout=60,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True)
+        self.assertEqual(done.returncode, 1, done.stdout)
+        self.assertEqual(done.stdout.count('/deep: range is "far" (a string), expected a number from 0.5 to 20'), 1,
+                         done.stdout)
+
+    def test_launch_ends(self):
+        """Said once, and the launch is over, although its manager is started again when it is killed."""
+        with open(robot_file()) as file:
+            robot = file.read().replace('height: 0.75', 'height: -0.75')
+        with tempfile.NamedTemporaryFile('w', suffix='.yaml') as bad:
+            bad.write(robot)
+            bad.flush()
+            done = subprocess.run(['roslaunch', 'pilothouse', 'robot.launch', 'robot:=' + bad.name], timeout=90,
+                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True)
+        rospy.delete_param('/robot')
+        self.assertEqual(done.stdout.count('height is -0.75'), 1, done.stdout)
+
+
+def robot_file():
+    return os.path.join(rospkg.RosPack().get_path('pilothouse'), 'config', 'robots', 'platform.yaml')
 
 
 if __name__ == '__main__':
