@@ -12,8 +12,8 @@ namespace pilothouse::bench {
 /// The standard frame's floor grid and a scan of 640 beams into the occupancy map.
 void addOccupancyCases(std::vector<TimedCase>& cases);
 
-/// Maps of 400^2, 1000^2 and 4000^2 cells taken and planned over from corner to corner, a way that is
-/// blocked planned anew, and textbook Dijkstra beside.
+/// Maps of 400^2, 1000^2 and 4000^2 cells taken and planned over from corner to corner, a way that
+/// is blocked planned anew, and textbook Dijkstra beside.
 void addPlanningCases(std::vector<TimedCase>& cases);
 /// The planner's bars, which are ratios. Prints and writes a line each.
 /// @return whether all are met.

@@ -10,8 +10,8 @@
 #include <stdexcept>
 
 #include "core/replay/png_header.hpp"
-#include "doors/message_views.hpp"
 #include "doors/file_bytes.hpp"
+#include "doors/message_views.hpp"
 
 namespace pilothouse {
 namespace {

@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "core/replay/pcd_header.hpp"
-#include "doors/message_views.hpp"
 #include "doors/file_bytes.hpp"
+#include "doors/message_views.hpp"
 
 namespace pilothouse {
 
