@@ -1,13 +1,13 @@
 // How long a frame takes to enter the maps, and a path over them. See --help.
 
 #include <algorithm>
-#include <cstdlib>
 #include <fstream>
 #include <iostream>
 #include <limits>
 #include <string>
 #include <vector>
 
+#include "bench/bench_options.hpp"
 #include "bench/interleaved_timing.hpp"
 #include "bench/json_line.hpp"
 #include "bench/map_cases.hpp"
@@ -15,48 +15,16 @@
 namespace pilothouse::bench {
 namespace {
 
-constexpr const char* kHelp =
+const BenchCommand kCommand{
+    "bench_maps",
     "usage: bench_maps [--rounds N] [--out FILE]\n"
     "Times a frame's way into the occupancy map (floor grid of a 640x480 picture, scan of 640\n"
     "beams, both with clearing), each beside a plain version of the same; and the planner on maps\n"
     "of up to 4000^2 cells beside textbook Dijkstra.\n"
     "  --rounds N    5..100000 (default 300)\n"
     "  --out FILE    write a JSON object a line to FILE\n"
-    "Ends with 1 where a stated limit is missed, 2 on a wrong call.\n";
-
-struct Options {
-  int rounds = 300;
-  std::string out;
-};
-
-[[noreturn]] void refuse(const std::string& message) {
-  std::cerr << "bench_maps: " << message << "\n";
-  std::exit(2);
-}
-
-Options readOptions(int argc, char** argv) {
-  Options options;
-  for (int i = 1; i < argc; ++i) {
-    const std::string option = argv[i];
-    if (option == "--help" || option == "-h") {
-      std::cout << kHelp;
-      std::exit(0);
-    }
-    if (option != "--rounds" && option != "--out") refuse("unknown option '" + option + "'");
-    if (++i >= argc) refuse(option + " needs a value");
-    if (option == "--out") {
-      options.out = argv[i];
-      continue;
-    }
-    char* end = nullptr;
-    const long rounds = std::strtol(argv[i], &end, 10);
-    if (*end != '\0' || rounds < 5 || rounds > 100000) {
-      refuse(std::string("--rounds is '") + argv[i] + "', expected 5..100000");
-    }
-    options.rounds = static_cast<int>(rounds);
-  }
-  return options;
-}
+    "Ends with 1 where a stated limit is missed, 2 on a wrong call.\n",
+    {}};
 
 /// Prints and writes one line; @return whether the limit [ms] is kept.
 bool tell(std::ostream& out, const TimedCase& c) {
@@ -76,11 +44,11 @@ bool tell(std::ostream& out, const TimedCase& c) {
   return kept;
 }
 
-int run(const Options& options) {
+int run(const BenchOptions& options) {
   std::ofstream out;
   if (!options.out.empty()) {
     out.open(options.out);
-    if (!out) refuse("cannot write " + options.out);
+    if (!out) refuse(kCommand, "cannot write " + options.out);
   }
   pinToOneProcessor();
   std::vector<TimedCase> cases;
@@ -99,10 +67,10 @@ int run(const Options& options) {
 
 int main(int argc, char** argv) {
   using namespace pilothouse::bench;
-  const Options options = readOptions(argc, argv);
+  const BenchOptions options = readOptions(kCommand, argc, argv);
   try {
     return run(options);
   } catch (const std::exception& fault) {
-    refuse(fault.what());
+    refuse(kCommand, fault.what());
   }
 }

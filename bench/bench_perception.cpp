@@ -2,7 +2,6 @@
 // user could choose instead. See --help.
 
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <iostream>
 #include <memory>
