@@ -60,11 +60,24 @@ void Planner::setMap(const MapCells& map) {
   map_ = map;
   marked_.clear();
   closed_ = {};
+  ++revision_;
+  mark(std::vector<Mark>(marks_));
+}
+
+/// Whether the map itself has something as grave there or beside: then it was seen a little off.
+bool Planner::known(int x, int y, MapCell kind) const {
+  for (int v = y - 1; v <= y + 1; ++v) {
+    for (int u = x - 1; u <= x + 1; ++u) {
+      if (clean_.at(u, v) >= kind) return true;
+    }
+  }
+  return false;
 }
 
 bool Planner::mark(const std::vector<Mark>& marks) {
+  marks_ = marks;
   marking_.clear();
-  for (const Mark& mark : marks) {
+  for (const Mark& mark : marks_) {
     if (!mark.place.allFinite() || !(mark.radius < 10.0)) continue;
     if (!(std::abs(mark.place.x()) < 1e5 && std::abs(mark.place.y()) < 1e5)) continue;
     const double radius = std::max(0.0, mark.radius);
@@ -72,7 +85,7 @@ bool Planner::mark(const std::vector<Mark>& marks) {
     for (int y = map_.row(mark.place.y() - radius); y <= map_.row(mark.place.y() + radius); ++y) {
       for (int x = map_.column(mark.place.x() - radius); x <= map_.column(mark.place.x() + radius);
            ++x) {
-        if (!map_.contains(x, y) || clean_.at(x, y) >= mark.kind) continue;
+        if (!map_.contains(x, y) || known(x, y, mark.kind)) continue;
         const Vector2d middle(map_.centreX(x), map_.centreY(y));
         const Vector2d off = (middle - mark.place).cwiseAbs();
         // The cell itself, and those whose middle the disc covers.
@@ -84,6 +97,12 @@ bool Planner::mark(const std::vector<Mark>& marks) {
   std::sort(marking_.begin(), marking_.end());
   marking_.erase(std::unique(marking_.begin(), marking_.end()), marking_.end());
   if (marking_ == marked_) return false;
+  putMarks();
+  ++revision_;
+  return true;
+}
+
+void Planner::putMarks() {
   CellWindow changed;
   const auto width = static_cast<std::size_t>(map_.size_x);
   const auto put = [&](std::size_t entry, bool on) {
@@ -94,11 +113,20 @@ bool Planner::mark(const std::vector<Mark>& marks) {
   for (const std::size_t entry : marked_) {
     if (!std::binary_search(marking_.begin(), marking_.end(), entry)) put(entry, false);
   }
-  // Sorted: of two marks of one cell the graver comes last.
+  // Rising: of two marks of one cell the graver comes last.
   for (const std::size_t entry : marking_) put(entry, true);
   marked_.swap(marking_);
   field_.update(map_, changed);
-  return true;
+}
+
+Plan Planner::planWithoutMarks(const PlanRequest& request) {
+  const std::uint32_t revision = revision_;
+  const std::vector<Mark> marks = marks_;
+  mark({});
+  Plan found = plan(request);
+  mark(marks);
+  revision_ = revision;
+  return found;
 }
 
 /// From where it stands too near to something: the nearest cell that is free, straight.

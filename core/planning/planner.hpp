@@ -40,20 +40,25 @@ class Planner {
   /// @throws std::invalid_argument listing every fault of the parameters.
   Planner(const PlanningParameters& parameters, const Footprint& footprint, BaseKind base);
 
-  /// A new map, without marks. @throws std::invalid_argument naming what is wrong with its size.
+  /// A new map; marks stay. @throws std::invalid_argument naming what is wrong with its size.
   void setMap(const MapCells& map);
   bool hasMap() const { return map_.size_x > 0; }
   const MapCells& map() const { return map_; }  ///< marks included
-  /// Things seen since the map was made: discs [m], map frame. They replace all earlier marks.
+  /// Things seen now, whether the map has them or not: discs [m], map frame.
   struct Mark {
     Eigen::Vector2d place;
     double radius;
     MapCell kind = MapCell::kOccupied;
   };
+  /// Replaces all earlier marks. What lies within a cell of something as grave in the map is that.
   /// @return whether anything changed.
   bool mark(const std::vector<Mark>& marks);
+  /// Another number whenever map or marks have changed.
+  std::uint32_t revision() const { return revision_; }
 
   Plan plan(const PlanRequest& request);
+  /// As if there were no marks: whether what is in the way may go away again.
+  Plan planWithoutMarks(const PlanRequest& request);
   /// Whether a way is still free: the bare outline touches nothing on it. @param poses map frame.
   bool free(const std::vector<Pose2>& poses) const;
 
@@ -67,6 +72,8 @@ class Planner {
     bool has_start = false;
     bool escaped = false;  ///< the start is not where the robot stands, but the nearest free cell
   };
+  bool known(int x, int y, MapCell kind) const;
+  void putMarks();
   NoWay findEnds(const PlanRequest& request, Ends& ends) const;
   std::optional<Cell> wayOut(const Pose2& start) const;
   NoWay judgeGoal(const PlanRequest& request, const Cell& goal) const;
@@ -86,7 +93,9 @@ class Planner {
   FootprintCheck check_, bare_;  ///< with and without something to spare
   CostField field_;
   MapCells clean_, map_;  ///< without and with marks
-  std::vector<std::size_t> marked_, marking_;
+  std::vector<Mark> marks_;
+  std::vector<std::size_t> marked_, marking_;  ///< cell * 8 + kind, rising
+  std::uint32_t revision_ = 0;
   GridSearch search_;
   PathSmoother smoother_;
   std::vector<Cell> cells_;

@@ -1,0 +1,367 @@
+#include "core/navigation/goal_navigator.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+#include <utility>
+
+namespace pilothouse {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double kLost = 10.0;        // without a pose for so long it gives up [s]
+constexpr double kNoMap = 3.0;        // without a map likewise [s]
+constexpr double kHeardAfter = 0.15;  // reports so soon after an order may be of the one before [s]
+constexpr double kGotOn = 0.05;       // nearer by so much is getting on [m]
+constexpr double kTurned = 0.15;      // and so is turning by so much [rad] ...
+constexpr double kLongestTurn = 12.0;    // ... for so long [s]
+constexpr double kElsewhere = 0.5;       // stuck so far from the last time is another case [m]
+constexpr double kLongestLook = 6.0;     // [s]
+constexpr double kLongestBack = 12.0;    // [s]
+constexpr double kMuchShorter = 0.85;    // a new way is taken when it is below this ...
+constexpr double kShorterAtLeast = 0.2;  // ... and shorter by so much [m]
+constexpr double kTrailStep = 0.05;      // [m]
+constexpr std::size_t kTrail = 100;
+constexpr double kTryAgain = 0.5;    // while there is no way one is sought so often [s]
+constexpr double kSpeedTime = 10.0;  // the speed is averaged over this [s]
+constexpr double kSlowest = 0.05;    // that a time is foretold with [m/s]
+constexpr int kArrivals = 5;
+
+const NavigationParameters& checked(const NavigationParameters& parameters) {
+  std::string all;
+  for (const auto& fault : validate(parameters)) all += (all.empty() ? "" : "\n") + fault;
+  if (!all.empty()) throw std::invalid_argument(all);
+  return parameters;
+}
+
+std::vector<Vector2d> placesOf(const std::vector<Pose2>& poses) {
+  std::vector<Vector2d> places;
+  for (const Pose2& pose : poses) places.push_back(pose.position());
+  return places;
+}
+
+}  // namespace
+
+GoalNavigator::GoalNavigator(const NavigationParameters& parameters, Planner& planner)
+    : parameters_(checked(parameters)), planner_(planner), speed_(parameters.cruise) {}
+
+void GoalNavigator::start(const Goal& goal) {
+  goal_ = goal;
+  plans_ = 0;
+  speed_ = parameters_.cruise;
+  resume();
+}
+
+void GoalNavigator::cancel() {
+  phase_ = NavigationPhase::kIdle;
+  path_.clear();
+  text_.clear();
+}
+
+void GoalNavigator::resume() {
+  phase_ = NavigationPhase::kPlanning;
+  begins_ = true;
+  path_.clear();
+  nearest_.reset();
+  text_.clear();
+  trail_.clear();
+  tries_ = arrivals_ = 0;
+  measure_ = Measure::kReplan;
+}
+
+void GoalNavigator::enter(NavigationPhase phase) {
+  phase_ = phase;
+  since_ = now_;
+}
+
+PlanRequest GoalNavigator::request(const NavigationInput& input) const {
+  return {*input.pose, goal_.place, goal_.heading};
+}
+
+bool GoalNavigator::isHeard(const NavigationInput& input, ExecutorReport::State state) const {
+  return input.executor.state == state && input.executor.stamp > sent_ + kHeardAfter;
+}
+
+void GoalNavigator::send(std::vector<Pose2> poses, std::optional<double> heading) {
+  order_ = DriveOrder{std::move(poses), heading};
+  sent_ = now_;
+}
+
+void GoalNavigator::take(Plan plan) {
+  path_ = std::move(plan.poses);
+  route_ = Route(placesOf(path_), planner_.parameters().corners);
+  way_ = 0.0;
+  best_left_ = left();
+  got_on_ = turned_on_ = sought_ = now_;
+  revision_ = planner_.revision();
+  text_.clear();
+  send(path_, goal_.heading);
+  enter(NavigationPhase::kDriving);
+}
+
+void GoalNavigator::fail(const std::string& text, const std::optional<Vector2d>& nearest) {
+  if (!path_.empty() || phase_ != NavigationPhase::kPlanning) send({}, std::nullopt);
+  path_.clear();
+  text_ = text;
+  nearest_ = nearest;
+  enter(NavigationPhase::kFailed);
+}
+
+double GoalNavigator::left() const {
+  return path_.empty() ? 0.0 : route_.length() - way_;
+}
+
+/// From here along the path to its end.
+std::vector<Pose2> GoalNavigator::rest(const Pose2& pose) const {
+  std::vector<Pose2> poses = {pose};
+  for (std::size_t i = route_.empty() ? path_.size() - 1 : route_.target(way_); i < path_.size();
+       ++i) {
+    poses.push_back(path_[i]);
+  }
+  return poses;
+}
+
+/// @return whether there is a way; it is under way then.
+bool GoalNavigator::replan(const NavigationInput& input) {
+  ++plans_;
+  sought_ = now_;
+  Plan plan = planner_.plan(request(input));
+  if (plan) {
+    take(std::move(plan));
+    return true;
+  }
+  const Plan clean = planner_.planWithoutMarks(request(input));
+  if (!clean) {
+    fail(textOf(clean.why), clean.nearest);
+    return false;
+  }
+  if (!path_.empty()) send({}, std::nullopt);
+  path_.clear();
+  nearest_ = plan.nearest;
+  text_ = std::string("blocked: ") + textOf(plan.why);
+  revision_ = planner_.revision();
+  if (phase_ != NavigationPhase::kWaiting) enter(NavigationPhase::kWaiting);
+  return false;
+}
+
+void GoalNavigator::planFirst(const NavigationInput& input) {
+  if (planner_.hasMap()) {
+    got_on_ = turned_on_ = now_;
+    replan(input);
+    return;
+  }
+  text_ = textOf(NoWay::kNoMap);
+  if (now_ - since_ > kNoMap) fail(text_, std::nullopt);
+}
+
+/// Where it is on its path, where it came along, and how fast.
+void GoalNavigator::follow(const NavigationInput& input, double dt) {
+  const Pose2& pose = *input.pose;
+  if (trail_.empty() || (pose.position() - trail_.back().position()).norm() > kTrailStep) {
+    trail_.push_back(pose);
+    if (trail_.size() > kTrail) trail_.pop_front();
+  }
+  if (!path_.empty()) {
+    const double before = way_;
+    way_ = route_.nearest(pose.position(), std::max(0.0, way_ - 0.5), way_ + 1.0).way;
+    if (!input.halted && dt > 0.0) {
+      const double share = std::min(1.0, dt / kSpeedTime);
+      speed_ += share * (std::max(0.0, way_ - before) / dt - speed_);
+    }
+    if (left() < best_left_ - kGotOn) {
+      best_left_ = left();
+      got_on_ = now_;
+    }
+  }
+  if (std::abs(wrapped(pose.heading - turned_to_)) > kTurned) {
+    turned_to_ = pose.heading;
+    turned_on_ = now_;
+  }
+}
+
+void GoalNavigator::drive(const NavigationInput& input) {
+  if (revision_ != planner_.revision()) {
+    revision_ = planner_.revision();
+    const bool blocked = path_.empty() || !planner_.free(rest(*input.pose));
+    if (blocked && (!path_.empty() || now_ - sought_ > kTryAgain)) {
+      replan(input);
+      return;
+    }
+  }
+  if (path_.empty() && now_ - sought_ > kTryAgain && replan(input)) return;
+  if (ended()) return;
+  if (!path_.empty()) hear(input);
+  if (phase_ != NavigationPhase::kDriving && phase_ != NavigationPhase::kWaiting) return;
+  if (input.halted) got_on_ = turned_on_ = now_;
+  const double on = std::max(got_on_, std::min(turned_on_, got_on_ + kLongestTurn));
+  if (now_ - on > parameters_.patience) {
+    stuck(input);
+  } else if (phase_ == NavigationPhase::kDriving && now_ - sought_ > parameters_.replan_period) {
+    seekShorter(input);
+  }
+}
+
+/// What the executor says of the way that it was given.
+void GoalNavigator::hear(const NavigationInput& input) {
+  if (isHeard(input, ExecutorReport::kReached)) return arrive(input);
+  const bool idle = isHeard(input, ExecutorReport::kIdle);
+  if (idle || isHeard(input, ExecutorReport::kRefused)) {
+    // It was started afresh, or had no pose: once more, at the pace of new plans.
+    text_ = idle ? "the executor forgot its route" : "the executor refused: " + input.executor.text;
+    if (now_ - sent_ > parameters_.replan_period) send(rest(*input.pose), goal_.heading);
+    return;
+  }
+  const bool waits = isHeard(input, ExecutorReport::kWaiting);
+  if (!waits && !isHeard(input, ExecutorReport::kDriving)) return;
+  const NavigationPhase phase = waits ? NavigationPhase::kWaiting : NavigationPhase::kDriving;
+  if (phase != phase_) enter(phase);
+  text_ = input.executor.text;
+}
+
+void GoalNavigator::seekShorter(const NavigationInput& input) {
+  sought_ = now_;
+  Plan plan = planner_.plan(request(input));
+  if (!plan || plan.length > std::min(kMuchShorter * left(), left() - kShorterAtLeast)) return;
+  ++plans_;
+  take(std::move(plan));
+}
+
+void GoalNavigator::arrive(const NavigationInput& input) {
+  const double off = (input.pose->position() - goal_.place).norm();
+  const double turn = goal_.heading ? std::abs(wrapped(*goal_.heading - input.pose->heading)) : 0.0;
+  if (off <= parameters_.position_tolerance && turn <= parameters_.heading_tolerance) {
+    path_.clear();
+    text_.clear();
+    enter(NavigationPhase::kReached);
+    return;
+  }
+  char text[96];
+  std::snprintf(text, sizeof text,
+                "stands %.2f m and %.0f degrees off the goal and comes no nearer", off,
+                turn * 180.0 / 3.14159265358979);
+  if (++arrivals_ > kArrivals) return fail(text, std::nullopt);
+  replan(input);
+}
+
+/// The next measure of the ladder: plan anew, look round, back off, rest; some times over.
+void GoalNavigator::stuck(const NavigationInput& input) {
+  if ((input.pose->position() - stuck_at_).norm() > kElsewhere) {
+    tries_ = 0;
+    measure_ = Measure::kReplan;
+    stuck_at_ = input.pose->position();
+  }
+  if (!text_.empty()) stuck_by_ = text_;
+  got_on_ = turned_on_ = now_;
+  if (measure_ == Measure::kReplan) {
+    measure_ = Measure::kLook;
+    // Nothing known is in the way: the same way would come out again.
+    const bool same = !path_.empty() && planner_.free(rest(*input.pose));
+    if (!same && (replan(input) || ended())) return;
+  }
+  if (measure_ == Measure::kLook) {
+    measure_ = Measure::kBack;
+    if (parameters_.look_angle > 0.0) return lookRound(input);
+  }
+  if (measure_ == Measure::kBack) {
+    measure_ = Measure::kRest;
+    if (backOff(input)) return;
+  }
+  measure_ = Measure::kReplan;
+  if (++tries_ < parameters_.tries) {
+    replan(input);
+    return;
+  }
+  const Plan plan = planner_.plan(request(input));
+  const std::string tried = "gave up after " + std::to_string(tries_) + " tries: ";
+  fail(tried + (plan ? stuck_by_ : textOf(plan.why)), plan.nearest);
+}
+
+/// To one side, to the other, and back; each a route of one point.
+void GoalNavigator::lookRound(const NavigationInput& input) {
+  looks_ = 0;
+  look_from_ = *input.pose;
+  lookTo(0);
+}
+
+void GoalNavigator::lookTo(int look) {
+  const double turns[] = {parameters_.look_angle, -parameters_.look_angle, 0.0};
+  looks_ = look;
+  path_.clear();
+  send({look_from_}, wrapped(look_from_.heading + turns[look]));
+  enter(NavigationPhase::kLooking);
+  text_ = "looks round: " + stuck_by_;
+}
+
+/// To where it came from.
+bool GoalNavigator::backOff(const NavigationInput& input) {
+  if (!(parameters_.back_distance > 0.0)) return false;
+  for (auto place = trail_.rbegin(); place != trail_.rend(); ++place) {
+    const double off = (place->position() - input.pose->position()).norm();
+    if (off < parameters_.back_distance) continue;
+    Plan plan = planner_.plan({*input.pose, place->position(), std::nullopt});
+    if (!plan || plan.length > 4.0 * parameters_.back_distance) return false;
+    path_.clear();
+    send(std::move(plan.poses), std::nullopt);
+    enter(NavigationPhase::kBacking);
+    text_ = "backs off: " + stuck_by_;
+    return true;
+  }
+  return false;
+}
+
+void GoalNavigator::manoeuvre(const NavigationInput& input) {
+  if (input.halted) since_ = now_;
+  const bool looking = phase_ == NavigationPhase::kLooking;
+  const bool over = now_ - since_ > (looking ? kLongestLook : kLongestBack);
+  if (!over && !isHeard(input, ExecutorReport::kReached)) return;
+  if (looking && looks_ < 2) return lookTo(looks_ + 1);
+  got_on_ = turned_on_ = now_;
+  replan(input);
+}
+
+NavigationOutput GoalNavigator::step(const NavigationInput& input) {
+  order_.reset();
+  const double dt = input.now - now_;
+  // Time was set back, or this is the first step: what is measured begins now.
+  if (begins_ || dt < 0.0) {
+    since_ = sent_ = sought_ = got_on_ = turned_on_ = placed_ = input.now;
+    begins_ = false;
+  }
+  now_ = input.now;
+  if (input.pose && input.pose->finite()) {
+    placed_ = now_;
+    follow(input, std::max(0.0, dt));
+    if (phase_ == NavigationPhase::kPlanning)
+      planFirst(input);
+    else if (phase_ == NavigationPhase::kDriving || phase_ == NavigationPhase::kWaiting)
+      drive(input);
+    else if (!ended())
+      manoeuvre(input);
+  } else if (!ended()) {
+    text_ = "the robot's place in the map is not known";
+    if (now_ - placed_ > kLost) fail(text_, std::nullopt);
+  }
+  NavigationOutput output;
+  output.status = status();
+  output.order = order_;
+  return output;
+}
+
+NavigationStatus GoalNavigator::status() const {
+  NavigationStatus status;
+  status.phase = phase_;
+  status.text = text_;
+  status.goal = goal_;
+  status.path = path_;
+  status.plans = plans_;
+  if (phase_ == NavigationPhase::kFailed) status.nearest = nearest_;
+  if (phase_ == NavigationPhase::kReached) status.distance_left = status.time_left = 0.0;
+  if (path_.empty()) return status;
+  status.distance_left = left();
+  status.time_left = left() / std::max(kSlowest, speed_);
+  return status;
+}
+
+}  // namespace pilothouse

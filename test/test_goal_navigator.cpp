@@ -1,0 +1,394 @@
+// Goals and tasks with a robot that follows its orders exactly, or does not get on.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "core/tasks/tasker.hpp"
+#include "test/map_rooms.hpp"
+
+namespace pilothouse {
+namespace {
+
+constexpr double kStep = 0.1;  // [s]
+
+/// Planner, tasker and a robot of 0.4 m that drives what it is ordered to, at 0.5 m/s.
+class TaskHarness {
+ public:
+  explicit TaskHarness(const MapCells& map, const NavigationParameters& parameters = {})
+      : planner({}, Footprint({{0.2, 0.2}, {-0.2, 0.2}, {-0.2, -0.2}, {0.2, -0.2}}),
+                BaseKind::kFourWheelSteered),
+        tasker({planner, parameters}) {
+    planner.setMap(map);
+    pose = {1.0, 1.5, 0.0};
+  }
+
+  std::uint32_t goTo(double x, double y, std::optional<double> heading = std::nullopt) {
+    Wish wish;
+    wish.behaviour = "go_to";
+    wish.stops = {{{{x, y}, heading}, 0.0}};
+    const auto task = tasker.submit(wish);
+    EXPECT_TRUE(task) << task.reason();
+    return task ? *task : 0;
+  }
+
+  void step() {
+    now += kStep;
+    move();
+    TaskInput input;
+    input.navigation.now = now;
+    if (localised) input.navigation.pose = pose;
+    input.navigation.executor = report;
+    input.navigation.halted = halted;
+    input.hand = hand;
+    output = tasker.step(input);
+    for (const auto& task : output.ended) ended.push_back(task);
+    phases.push_back(output.behaviour.navigation.phase);
+    if (!output.order) return;
+    order = *output.order;
+    ++orders;
+    at = 1;
+    report.state = order.poses.empty() ? ExecutorReport::kIdle : ExecutorReport::kDriving;
+    if (order.poses.size() == 1) ++turns;
+  }
+  template <class Condition>
+  bool runUntil(Condition done, double seconds = 120.0) {
+    const double end = now + seconds;
+    while (now < end && !done()) step();
+    return done();
+  }
+  bool runToEnd(double seconds = 200.0) {
+    return runUntil([this] { return output.task.id != 0 && output.task.phase >= TaskPhase::kDone; },
+                    seconds);
+  }
+  NavigationPhase phase() const { return output.behaviour.navigation.phase; }
+  bool was(NavigationPhase which) const {
+    return std::find(phases.begin(), phases.end(), which) != phases.end();
+  }
+
+  Planner planner;
+  Tasker tasker;
+  double now = 100.0;
+  Pose2 pose;
+  ExecutorReport report;
+  bool localised = true, halted = false, hand = false;
+  bool held = false;  ///< nothing lets it drive on; it can turn and go back
+  DriveOrder order;
+  int orders = 0, turns = 0;
+  TaskerOutput output;
+  std::vector<TaskReport> ended;
+  std::vector<NavigationPhase> phases;
+
+ private:
+  void move() {
+    report.stamp = now;
+    report.text.clear();
+    if (order.poses.empty()) return;
+    const bool stays = halted || (held && order.poses.size() > 1);
+    if (stays) {
+      report.state = ExecutorReport::kWaiting;
+      report.text = "held: seen by camera at 0.30 m";
+      return;
+    }
+    report.state = ExecutorReport::kDriving;
+    for (double way = 0.5 * kStep; at < order.poses.size();) {
+      const Eigen::Vector2d leg = order.poses[at].position() - pose.position();
+      const double go = std::min(way, leg.norm());
+      if (leg.norm() > 1e-9) {
+        pose.x += go / leg.norm() * leg.x();
+        pose.y += go / leg.norm() * leg.y();
+        pose.heading = std::atan2(leg.y(), leg.x());
+      }
+      way -= go;
+      if (leg.norm() > go + 1e-9) return;
+      ++at;
+    }
+    if (order.heading) pose.heading = *order.heading;
+    report.state = ExecutorReport::kReached;
+  }
+  std::size_t at = 1;
+};
+
+MapRoom hall() {
+  MapRoom room(120, 60);
+  room.fill(60, 1, 62, 20);
+  room.fill(60, 40, 62, 59);  // a door of 1 m
+  return room;
+}
+
+TEST(GoTo, ReachesItsGoalWithTheHeading) {
+  TaskHarness robot(hall().map);
+  robot.goTo(5.0, 2.5, 1.0);
+  ASSERT_TRUE(robot.runToEnd());
+  EXPECT_EQ(robot.output.task.phase, TaskPhase::kDone);
+  EXPECT_EQ(robot.phase(), NavigationPhase::kReached);
+  EXPECT_NEAR(robot.pose.x, 5.0, 0.05);
+  EXPECT_NEAR(robot.pose.y, 2.5, 0.05);
+  EXPECT_NEAR(robot.pose.heading, 1.0, 0.05);
+  EXPECT_EQ(robot.orders, 1) << "one way is enough where nothing changes";
+}
+
+TEST(GoTo, TellsDistanceAndTimeLeftAsTheyFall) {
+  TaskHarness robot(hall().map);
+  robot.goTo(5.0, 1.5);
+  robot.step();
+  ASSERT_TRUE(robot.output.behaviour.navigation.distance_left);
+  EXPECT_NEAR(*robot.output.behaviour.navigation.distance_left, 4.0, 0.1);
+  robot.runUntil([&] { return robot.pose.x > 3.0; });
+  EXPECT_NEAR(*robot.output.behaviour.navigation.distance_left, 5.0 - robot.pose.x, 0.1);
+  EXPECT_NEAR(*robot.output.behaviour.navigation.time_left, (5.0 - robot.pose.x) / 0.45, 1.5);
+}
+
+TEST(GoTo, SaysAtOnceThatThereIsNoWay) {
+  MapRoom room = hall();
+  room.fill(60, 1, 62, 59);
+  TaskHarness robot(room.map);
+  robot.goTo(5.0, 1.5);
+  robot.step();
+  EXPECT_EQ(robot.output.task.phase, TaskPhase::kFailed);
+  EXPECT_EQ(robot.output.task.text, textOf(NoWay::kWalledOff));
+  ASSERT_TRUE(robot.output.behaviour.navigation.nearest);
+  EXPECT_EQ(robot.orders, 1) << "only the one to stop";
+  EXPECT_TRUE(robot.order.poses.empty());
+}
+
+TEST(GoTo, PlansAnewInTheStepInWhichTheWayIsBlocked) {
+  TaskHarness robot(hall().map);
+  robot.goTo(5.0, 1.5);
+  robot.runUntil([&] { return robot.pose.x > 2.0; });
+  const int before = robot.orders;
+  robot.planner.mark({{{3.05, 1.3}, 0.1}});
+  robot.step();
+  EXPECT_EQ(robot.orders, before + 1);
+  EXPECT_TRUE(robot.planner.free(robot.order.poses));
+  ASSERT_TRUE(robot.runToEnd());
+  EXPECT_EQ(robot.output.task.phase, TaskPhase::kDone);
+}
+
+TEST(GoTo, WaitsForADoorToBecomeFree) {
+  TaskHarness robot(hall().map);
+  robot.goTo(5.0, 1.5);
+  robot.planner.mark({{{3.05, 1.5}, 0.3}});
+  robot.runUntil([&] { return robot.now > 103.0; });
+  EXPECT_EQ(robot.phase(), NavigationPhase::kWaiting);
+  EXPECT_EQ(robot.output.task.phase, TaskPhase::kRunning);
+  EXPECT_NE(robot.output.task.text.find("blocked"), std::string::npos) << robot.output.task.text;
+  robot.planner.mark({});
+  ASSERT_TRUE(robot.runToEnd());
+  EXPECT_EQ(robot.output.task.phase, TaskPhase::kDone);
+}
+
+TEST(GoTo, StuckItLooksRoundBacksOffAndGivesUpWithTheReason) {
+  NavigationParameters parameters;
+  parameters.tries = 2;
+  TaskHarness robot(hall().map, parameters);
+  robot.goTo(5.0, 1.5);
+  robot.runUntil([&] { return robot.pose.x > 2.2; });
+  robot.held = true;
+  const double since = robot.now;
+  ASSERT_TRUE(robot.runToEnd());
+  EXPECT_EQ(robot.output.task.phase, TaskPhase::kFailed);
+  EXPECT_NE(robot.output.task.text.find("gave up after 2 tries: held: seen by camera"),
+            std::string::npos)
+      << robot.output.task.text;
+  EXPECT_TRUE(robot.was(NavigationPhase::kWaiting));
+  EXPECT_TRUE(robot.was(NavigationPhase::kLooking));
+  EXPECT_TRUE(robot.was(NavigationPhase::kBacking));
+  EXPECT_GE(robot.turns, 6) << "to both sides and back, twice";
+  EXPECT_TRUE(robot.order.poses.empty()) << "the robot is told to stop";
+  EXPECT_GT(robot.now - since, 2.0 * parameters.patience);
+  EXPECT_LT(robot.now - since, 120.0);
+}
+
+TEST(GoTo, GetsOnWhenWhatHeldItHasLeft) {
+  TaskHarness robot(hall().map);
+  robot.goTo(5.0, 1.5);
+  robot.runUntil([&] { return robot.pose.x > 2.2; });
+  robot.held = true;
+  ASSERT_TRUE(robot.runUntil([&] { return robot.phase() == NavigationPhase::kBacking; }));
+  robot.held = false;
+  ASSERT_TRUE(robot.runToEnd());
+  EXPECT_EQ(robot.output.task.phase, TaskPhase::kDone);
+}
+
+TEST(GoTo, AStoppedGateIsNoReasonToGiveUp) {
+  TaskHarness robot(hall().map);
+  robot.goTo(5.0, 1.5);
+  robot.runUntil([&] { return robot.pose.x > 2.2; });
+  robot.halted = true;
+  robot.runUntil([&] { return false; }, 300.0);
+  EXPECT_EQ(robot.output.task.phase, TaskPhase::kRunning);
+  EXPECT_EQ(robot.phase(), NavigationPhase::kWaiting);
+  EXPECT_FALSE(robot.was(NavigationPhase::kLooking));
+  robot.halted = false;
+  ASSERT_TRUE(robot.runToEnd());
+  EXPECT_EQ(robot.output.task.phase, TaskPhase::kDone);
+}
+
+TEST(GoTo, TimeThatGoesBackHarmsNothing) {
+  TaskHarness robot(hall().map);
+  robot.goTo(5.0, 1.5);
+  robot.runUntil([&] { return robot.pose.x > 2.2; });
+  robot.now -= 90.0;
+  ASSERT_TRUE(robot.runToEnd());
+  EXPECT_EQ(robot.output.task.phase, TaskPhase::kDone);
+  EXPECT_FALSE(robot.was(NavigationPhase::kLooking));
+}
+
+TEST(GoTo, GivesUpWithoutAPoseAndWithoutAMap) {
+  TaskHarness lost(hall().map);
+  lost.goTo(5.0, 1.5);
+  lost.runUntil([&] { return lost.pose.x > 2.0; });
+  lost.localised = false;
+  ASSERT_TRUE(lost.runToEnd(20.0));
+  EXPECT_EQ(lost.output.task.phase, TaskPhase::kFailed);
+  EXPECT_TRUE(lost.order.poses.empty());
+
+  Planner planner({}, Footprint({{0.2, 0.2}, {-0.2, 0.2}, {0.0, -0.2}}), BaseKind::kDifferential);
+  GoalNavigator navigator({}, planner);
+  navigator.start({{1.0, 1.0}, std::nullopt});
+  NavigationInput input;
+  input.pose = Pose2{};
+  NavigationOutput output;
+  for (input.now = 5.0; input.now < 10.0; input.now += 0.1) output = navigator.step(input);
+  EXPECT_EQ(output.status.phase, NavigationPhase::kFailed);
+  EXPECT_EQ(output.status.text, textOf(NoWay::kNoMap));
+}
+
+TEST(Tasker, RefusesWishesThatCannotBeAndStaysAsItWas) {
+  TaskHarness robot(hall().map);
+  const std::uint32_t id = robot.goTo(5.0, 1.5);
+  robot.step();
+  Wish wish;
+  wish.behaviour = "dance";
+  EXPECT_NE(robot.tasker.submit(wish).reason().find("hand, go_to, route"), std::string::npos);
+  wish.behaviour = "go_to";
+  EXPECT_FALSE(robot.tasker.submit(wish)) << "no goal";
+  wish.stops = {{{{std::nan(""), 0.0}, {}}, 0.0}};
+  EXPECT_FALSE(robot.tasker.submit(wish));
+  wish.stops = {{{{0.0, 0.0}, std::numeric_limits<double>::infinity()}, 0.0}};
+  EXPECT_FALSE(robot.tasker.submit(wish));
+  wish.behaviour = "route";
+  wish.stops = {{{{0.0, 0.0}, {}}, -1.0}};
+  EXPECT_NE(robot.tasker.submit(wish).reason().find("point 0: pause is -1"), std::string::npos);
+  wish.stops.assign(10000, RouteStop{});
+  EXPECT_NE(robot.tasker.submit(wish).reason().find("10000 points, expected at most 1000"),
+            std::string::npos);
+  robot.step();
+  EXPECT_EQ(robot.output.task.id, id);
+  EXPECT_EQ(robot.output.task.phase, TaskPhase::kRunning);
+}
+
+TEST(Tasker, ANewGoalReplacesTheOld) {
+  TaskHarness robot(hall().map);
+  const std::uint32_t first = robot.goTo(5.0, 1.5);
+  robot.step();
+  const std::uint32_t second = robot.goTo(2.0, 2.5);
+  robot.step();
+  ASSERT_EQ(robot.ended.size(), 1U);
+  EXPECT_EQ(robot.ended[0].id, first);
+  EXPECT_EQ(robot.ended[0].phase, TaskPhase::kCancelled);
+  ASSERT_TRUE(robot.runToEnd());
+  EXPECT_EQ(robot.output.task.id, second);
+  EXPECT_NEAR(robot.pose.x, 2.0, 0.05);
+}
+
+TEST(Tasker, DrivingByHandSetsTheGoalAsideUntilLetGo) {
+  TaskHarness robot(hall().map);
+  const std::uint32_t goal = robot.goTo(5.0, 1.5);
+  robot.runUntil([&] { return robot.pose.x > 2.0; });
+  Wish wish;
+  wish.behaviour = "hand";
+  ASSERT_TRUE(robot.tasker.submit(wish));
+  robot.hand = true;
+  robot.step();
+  EXPECT_EQ(robot.output.task.behaviour, "hand");
+  EXPECT_EQ(robot.output.waiting, std::vector<std::string>{"go_to"});
+  EXPECT_TRUE(robot.order.poses.empty()) << "the executor must not drive against the hand";
+  robot.pose = {1.2, 2.2, 2.0};
+  robot.runUntil([&] { return false; }, 5.0);
+  EXPECT_EQ(robot.output.task.behaviour, "hand");
+  robot.hand = false;
+  ASSERT_TRUE(robot.runUntil([&] { return robot.output.task.behaviour == "go_to"; }, 3.0));
+  ASSERT_TRUE(robot.runToEnd());
+  EXPECT_EQ(robot.output.task.id, goal);
+  EXPECT_EQ(robot.output.task.phase, TaskPhase::kDone);
+  EXPECT_NEAR(robot.pose.x, 5.0, 0.05);
+}
+
+TEST(Tasker, PausesResumesAndCancels) {
+  TaskHarness robot(hall().map);
+  EXPECT_FALSE(robot.tasker.pause().empty()) << "nothing runs";
+  robot.goTo(5.0, 1.5);
+  robot.runUntil([&] { return robot.pose.x > 2.0; });
+  EXPECT_EQ(robot.tasker.pause(), "");
+  EXPECT_FALSE(robot.tasker.pause().empty());
+  robot.step();
+  const Pose2 stood = robot.pose;
+  EXPECT_TRUE(robot.order.poses.empty());
+  robot.runUntil([&] { return false; }, 60.0);
+  EXPECT_EQ(robot.output.task.phase, TaskPhase::kPaused);
+  EXPECT_EQ(robot.pose.position(), stood.position());
+  EXPECT_EQ(robot.tasker.resume(), "");
+  robot.runUntil([&] { return robot.pose.x > 2.5; });
+  EXPECT_EQ(robot.output.task.phase, TaskPhase::kRunning);
+  EXPECT_FALSE(robot.tasker.cancel(77).empty());
+  EXPECT_EQ(robot.tasker.cancel(), "");
+  robot.step();
+  EXPECT_EQ(robot.output.task.phase, TaskPhase::kCancelled);
+  EXPECT_TRUE(robot.order.poses.empty());
+  EXPECT_FALSE(robot.tasker.resume().empty());
+}
+
+TEST(Route, PassesItsPointsStandsAndEnds) {
+  TaskHarness robot(hall().map);
+  Wish wish;
+  wish.behaviour = "route";
+  wish.stops = {{{{2.0, 0.8}, {}}, 0.0}, {{{5.0, 1.5}, 1.5}, 4.0}, {{{4.0, 2.4}, {}}, 0.0}};
+  ASSERT_TRUE(robot.tasker.submit(wish));
+  ASSERT_TRUE(robot.runUntil([&] { return robot.output.behaviour.point == 1; }));
+  EXPECT_NEAR((robot.pose.position() - wish.stops[0].goal.place).norm(), 0.3, 0.1)
+      << "not stood at";
+  ASSERT_TRUE(robot.runUntil([&] { return robot.phase() == NavigationPhase::kPausing; }));
+  EXPECT_NEAR(robot.pose.heading, 1.5, 0.05);
+  const double since = robot.now;
+  ASSERT_TRUE(robot.runUntil([&] { return robot.output.behaviour.point == 2; }));
+  EXPECT_NEAR(robot.now - since, 4.0, 0.35);
+  ASSERT_TRUE(robot.runToEnd());
+  EXPECT_EQ(robot.output.task.phase, TaskPhase::kDone);
+  EXPECT_NEAR(robot.pose.y, 2.4, 0.05);
+}
+
+TEST(Route, LoopsSkipsAndFailsAtAPointWithoutAWay) {
+  TaskHarness robot(hall().map);
+  Wish wish;
+  wish.behaviour = "route";
+  wish.loop = true;
+  wish.stops = {{{{2.0, 0.8}, {}}, 0.0}, {{{5.0, 1.5}, {}}, 0.0}, {{{2.0, 2.2}, {}}, 0.0}};
+  ASSERT_TRUE(robot.tasker.submit(wish));
+  ASSERT_TRUE(robot.runUntil([&] { return robot.output.behaviour.point == 2; }));
+  ASSERT_TRUE(robot.runUntil([&] { return robot.output.behaviour.point == 0; })) << "round again";
+  EXPECT_EQ(robot.tasker.skip(), "");
+  robot.step();
+  EXPECT_EQ(robot.output.behaviour.point, 1U);
+  wish.loop = false;
+  wish.stops = {{{{2.0, 0.8}, {}}, 0.0}, {{{3.05, 0.5}, {}}, 0.0}};
+  ASSERT_TRUE(robot.tasker.submit(wish));
+  ASSERT_TRUE(robot.runToEnd());
+  EXPECT_EQ(robot.output.task.phase, TaskPhase::kFailed);
+  EXPECT_EQ(robot.output.task.text, "point 2 of 2: something stands at the goal");
+  EXPECT_FALSE(robot.tasker.skip().empty());
+}
+
+TEST(Behaviours, HaveNamesAndPrioritiesOfTheirOwn) {
+  for (const auto& kind : behaviourKinds()) {
+    for (const auto& other : behaviourKinds()) {
+      EXPECT_EQ(&kind == &other, std::string(kind.name) == other.name);
+    }
+    EXPECT_GT(kind.priority, 0);
+  }
+  EXPECT_GE(behaviourKinds().size(), 3U);
+}
+
+}  // namespace
+}  // namespace pilothouse
