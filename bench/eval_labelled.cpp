@@ -148,6 +148,7 @@ void judgeFile(const std::filesystem::path& path, const EvalOptions& options, To
 }
 
 int run(const EvalOptions& options) {
+  if (options.data.empty()) refuse(kCommand, "--data is missing, expected a folder");
   Total total;
   for (const auto& path : filesUnder(options.data, ".pcd")) {
     try {
@@ -174,11 +175,5 @@ int run(const EvalOptions& options) {
 
 int main(int argc, char** argv) {
   using namespace pilothouse::bench;
-  const EvalOptions options = readOptions(kCommand, argc, argv);
-  if (options.data.empty()) refuse(kCommand, "--data is missing, expected a folder");
-  try {
-    return run(options);
-  } catch (const std::exception& fault) {
-    refuse(kCommand, fault.what());
-  }
+  return runEval(kCommand, argc, argv, run);
 }

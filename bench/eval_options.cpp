@@ -94,4 +94,14 @@ EvalOptions readOptions(const EvalCommand& command, int argc, char** argv) {
   return options;
 }
 
+int runEval(const EvalCommand& command, int argc, char** argv,
+            const std::function<int(const EvalOptions&)>& run) {
+  const EvalOptions options = readOptions(command, argc, argv);
+  try {
+    return run(options);
+  } catch (const std::exception& fault) {
+    refuse(command, fault.what());
+  }
+}
+
 }  // namespace pilothouse::bench

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,10 @@ struct EvalCommand {
 /// Reads the command line. --help prints and exits with 0; a fault prints one line and exits
 /// with 2. Makes the folder of --out.
 EvalOptions readOptions(const EvalCommand& command, int argc, char** argv);
+
+/// A whole evaluation: what `run` returns, or 2 where it throws, with one line that says why.
+int runEval(const EvalCommand& command, int argc, char** argv,
+            const std::function<int(const EvalOptions&)>& run);
 
 /// Prints "NAME: message" and exits with 2.
 [[noreturn]] void refuse(const EvalCommand& command, const std::string& message);

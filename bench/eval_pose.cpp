@@ -162,10 +162,5 @@ int run(const EvalOptions& options) {
 
 int main(int argc, char** argv) {
   using namespace pilothouse::bench;
-  const EvalOptions options = readOptions(kCommand, argc, argv);
-  try {
-    return run(options);
-  } catch (const std::exception& fault) {
-    refuse(kCommand, fault.what());
-  }
+  return runEval(kCommand, argc, argv, run);
 }

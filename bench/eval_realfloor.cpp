@@ -152,6 +152,7 @@ void judgeListed(const KnownPlane& known, const fs::path& path, const EvalOption
 }
 
 int run(const EvalOptions& options) {
+  if (options.data.empty()) refuse(kCommand, "--data is missing, expected a folder");
   const auto lists = filesUnder(options.data, "floor_planes.txt");
   if (lists.empty()) refuse(kCommand, "no floor_planes.txt under '" + options.data + "'");
   Total total;
@@ -186,11 +187,5 @@ int run(const EvalOptions& options) {
 
 int main(int argc, char** argv) {
   using namespace pilothouse::bench;
-  const EvalOptions options = readOptions(kCommand, argc, argv);
-  if (options.data.empty()) refuse(kCommand, "--data is missing, expected a folder");
-  try {
-    return run(options);
-  } catch (const std::exception& fault) {
-    refuse(kCommand, fault.what());
-  }
+  return runEval(kCommand, argc, argv, run);
 }
