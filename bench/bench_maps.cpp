@@ -19,8 +19,8 @@ const BenchCommand kCommand{
     "bench_maps",
     "usage: bench_maps [--rounds N] [--out FILE]\n"
     "Times a frame's way into the occupancy map (floor grid of a 640x480 picture, scan of 640\n"
-    "beams, both with clearing), each beside a plain version of the same; and the planner on maps\n"
-    "of up to 4000^2 cells beside textbook Dijkstra.\n"
+    "beams, both with clearing) and into the octree at 5 cm, each beside a plain version of the\n"
+    "same; and the planner on maps of up to 4000^2 cells beside textbook Dijkstra.\n"
     "  --rounds N    5..100000 (default 300)\n"
     "  --out FILE    write a JSON object a line to FILE\n"
     "Ends with 1 where a stated limit is missed, 2 on a wrong call.\n",
@@ -53,6 +53,7 @@ int run(const BenchOptions& options) {
   pinToOneProcessor();
   std::vector<TimedCase> cases;
   addOccupancyCases(cases);
+  addVolumeCases(cases);
   addPlanningCases(cases);
   measure(cases, options.rounds, std::max(5, options.rounds / 20));
   std::printf("%-44s %10s %10s %8s\n", "case", "median ms", "p95 ms", "of limit");

@@ -1,26 +1,14 @@
 #include "nodelets/mapper_settings.hpp"
 
-#include <cstdlib>
-
 #include "doors/map_files.hpp"
 #include "doors/strict_parameters.hpp"
+#include "nodelets/usual_folder.hpp"
 
 namespace pilothouse {
-namespace {
-
-/// Where maps are kept unless told: beside ROS's logs.
-std::string usualFolder() {
-  if (const char* ros_home = std::getenv("ROS_HOME")) return std::string(ros_home) + "/maps";
-  const char* home = std::getenv("HOME");
-  return std::string(home != nullptr ? home : "/tmp") + "/.ros/maps";
-}
-
-}  // namespace
-
 MapperSettings readMapperSettings(const ros::NodeHandle& own) {
   MapperSettings settings;
   MapKeeperSettings& keeper = settings.keeper;
-  keeper.folder = usualFolder();
+  keeper.folder = usualMapFolder();
   StrictParameters reader(own);
   reader.read("base_frame", settings.base_frame);
   reader.read("map_frame", settings.map_frame);

@@ -17,6 +17,7 @@ RULES = {
     'core/cloud': [OWN % 'core/(?!cloud)[a-z_]+'],
     'sim': [FOREIGN, OWN % 'doors|nodelets|gui|bench|test'],
     'doors': [r'<Q', OWN % 'sim|nodelets|gui|bench|test'],
+    'volume': [FOREIGN, OWN % 'sim|doors|nodelets|gui|bench|test'],
     'registration': [FOREIGN, OWN % 'sim|doors|nodelets|gui|bench|test'],
     'gate': [r'<Q|pcl|opencv|octomap|cv_bridge', OWN % 'sim|nodelets|gui|bench|test'],
     'nodelets': [r'<Q', OWN % 'gui|bench|test'],

@@ -72,6 +72,11 @@ def map_picture(head, pixels, resolution=0.05):
     return b"\1" + struct.pack("<3d", resolution, -1.0, -0.5) + head + pixels
 
 
+def octree(nodes, data, res="0.05", tree="OcTree"):
+    return (b"# Octomap OcTree binary file\n# (feel free to add / change comments, but leave the first line as it is!)\n#\n"
+            b"id %s\nsize %d\nres %s\ndata\n" % (tree.encode(), nodes, res.encode())) + data
+
+
 CORPUS = {
     "cloud_view": {
         "organised": cloud(3, 2, 16, data=floats(*range(24))),
@@ -137,6 +142,18 @@ CORPUS = {
         "picture_short": map_picture(b"P5 3 2 255\n", bytes(5)),
         "picture_huge": map_picture(b"P5 4294967295 4294967295 255\n", b""),
         "picture_nan": map_picture(b"P5 1 1 255\n", b"\0", resolution=float("nan")),
+    },
+    "octree_bytes": {
+        "leaf": octree(2, b"\1\0"),
+        "levels": octree(17, b"\3\0" * 15 + b"\1\0"),
+        "too_deep": octree(18, b"\3\0" * 16 + b"\1\0"),
+        "all_inner": octree(1000, b"\xff" * 2000),
+        "none": octree(0, b""),
+        "short": octree(3, b"\3"),
+        "childless": octree(1, b"\0\0"),
+        "nan": octree(2, b"\1\0", res="nan"),
+        "colour": octree(2, b"\1\0", tree="ColorOcTree"),
+        "noise": b"\xff" * 64,
     },
     "file_headers": {
         "pcd_binary": pcd(bytes(24), "binary"),
