@@ -111,8 +111,8 @@ class TaskHarness {
 
 MapRoom hall() {
   MapRoom room(120, 60);
-  room.fill(60, 1, 62, 20);
-  room.fill(60, 40, 62, 59);  // a door of 1 m
+  room.fill(60, 1, 62, 18);
+  room.fill(60, 42, 62, 59);  // a door of 1.2 m
   return room;
 }
 
@@ -157,7 +157,7 @@ TEST(GoTo, PlansAnewInTheStepInWhichTheWayIsBlocked) {
   robot.goTo(5.0, 1.5);
   robot.runUntil([&] { return robot.pose.x > 2.0; });
   const int before = robot.orders;
-  robot.planner.mark({{{3.05, 1.3}, 0.1}});
+  robot.planner.mark({{{3.05, 1.2}, 0.1}});
   robot.step();
   EXPECT_EQ(robot.orders, before + 1);
   EXPECT_TRUE(robot.planner.free(robot.order.poses));

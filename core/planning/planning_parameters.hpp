@@ -15,9 +15,9 @@ enum class UnknownFloor {
 };
 
 struct PlanningParameters {
-  double clearance = 0.05;      ///< kept between footprint and things at least [m], 0..1
+  double clearance = 0.10;      ///< kept between footprint and things at least [m], 0..1
   double wish = 0.35;           ///< so far from the footprint things cost nothing [m], 0..3
-  double closeness = 0.3;       ///< a metre at the least clearance costs so much more, 0..6
+  double closeness = 0.5;       ///< a metre at the least clearance costs so much more, 0..6
   double threshold_cost = 2.0;  ///< and one over a threshold, 0..6
   double unknown_cost = 0.5;    ///< and one where nobody has looked, 0..6
   double escape = 0.6;  ///< starting too near to something it goes at most so far to get away
