@@ -57,13 +57,14 @@ void SimulatorOutputs::publishOdometry(const sim::Simulation& simulation,
   odometry_.publish(toMessage(odometry, header(stamp, kOdometry), kBase));
   const Pose2& T_odom_base = odometry.pose;
   const Pose2 T_world_base = simulation.base().pose();
-  Pose2 T_world_odom{0.0, 0.0, wrapped(T_world_base.heading - T_odom_base.heading)};
-  const Eigen::Vector2d place = T_world_base.position() - T_world_odom * T_odom_base.position();
-  T_world_odom.x = place.x();
-  T_world_odom.y = place.y();
+  // The world hangs from odom, not the other way about: odom's parent is the map.
+  Pose2 T_odom_world{0.0, 0.0, wrapped(T_odom_base.heading - T_world_base.heading)};
+  const Eigen::Vector2d place = T_odom_base.position() - T_odom_world * T_world_base.position();
+  T_odom_world.x = place.x();
+  T_odom_world.y = place.y();
   transforms_.sendTransform(
       std::vector{transformOf(T_odom_base, header(stamp, kOdometry), kBase),
-                  transformOf(T_world_odom, header(stamp, kWorld), kOdometry)});
+                  transformOf(T_odom_world, header(stamp, kOdometry), kWorld)});
 }
 
 std_msgs::Header SimulatorOutputs::header(const ros::Time& stamp, const std::string& frame) {
