@@ -9,15 +9,16 @@
 namespace pilothouse {
 
 struct IcpParameters {
-  double reach = 0.5;       ///< farthest that a point looks for the map at first [m]
-  double fine = 0.15;       ///< and at last; a point has a match where the map is so near [m]
-  int iterations = 30;      ///< at most, of each of the two passes
-  double scale = 0.05;      ///< a distance so large counts half (Cauchy's weight) [m]
-  double least_rms = 0.01;  ///< no match is taken for better: range noise, cells, the map's own [m]
-  double least_turn = 0.002;  ///< spread of a heading at the least [rad]
+  double reach = 0.5;   ///< farthest that a point looks for the map at first [m]
+  double fine = 0.15;   ///< and at last; a point has a match where the map is so near [m]
+  int iterations = 30;  ///< at most, of each of the two passes
+  double scale = 0.05;  ///< a distance so large counts half (Cauchy's weight) [m]
+  double least_rms =
+      0.005;  ///< no match is taken for better: range noise, cells, the map's own [m]
+  double least_turn = 0.001;  ///< spread of a heading at the least [rad]
   /// Neighbouring beams share their errors: the covariance of independent ones is multiplied by
   /// this.
-  double correlation = 10.0;
+  double correlation = 5.0;
 };
 
 /// Calls visit(key, value, low, high) for every number; iterations is an int.
