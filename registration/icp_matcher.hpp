@@ -18,7 +18,7 @@ struct IcpParameters {
   double least_turn = 0.001;  ///< spread of a heading at the least [rad]
   /// Neighbouring beams share their errors: the covariance of independent ones is multiplied by
   /// this.
-  double correlation = 5.0;
+  double correlation = 10.0;
 };
 
 /// Calls visit(key, value, low, high) for every number; iterations is an int.

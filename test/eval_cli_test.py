@@ -31,6 +31,29 @@ class EvalCommandLine(unittest.TestCase):
         self.assertIn("--wrong", self.refused("eval_drive", "--wrong"))
         self.assertIn("--runs is '0'", self.refused("eval_drive", "--runs", "0"))
 
+    def test_pose(self):
+        self.assertIn("usage: ", call("eval_pose", "--help").stdout)
+        self.assertIn("--wrong", self.refused("eval_pose", "--wrong"))
+        self.assertIn("/no/such.bag", self.refused("eval_pose", "--bag", "/no/such.bag"))
+        with tempfile.NamedTemporaryFile(suffix=".bag") as empty:
+            self.assertIn(empty.name, self.refused("eval_pose", "--bag", empty.name))
+
+    @unittest.skipUnless(DATA, "PILOTHOUSE_DATA is not set")
+    def test_pose_of_recordings(self):
+        def bag(name):
+            return os.path.join(DATA, "bags", name + ".bag")
+        done = call("eval_pose", "--bag", bag("jarvis_circular_path_fast"))
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        summary = json.loads(done.stdout.splitlines()[-1])
+        self.assertTrue(summary["pass"] and summary["judged"])
+        self.assertLess(summary["corrected_fit_rms_m"], summary["raw_fit_rms_m"])
+        done = call("eval_pose", "--bag", bag("guardian_climb_palette_door"))
+        self.assertIn("nothing to judge by", done.stderr)
+        self.assertFalse(json.loads(done.stdout.splitlines()[-1])["judged"])
+        self.assertIn("no odometry", self.refused("eval_pose", "--bag", bag("scans_demo")))
+        self.assertIn("no sensor_msgs/LaserScan",
+                      self.refused("eval_pose", "--bag", bag("robot_localization_test2")))
+
     def refused(self, name, *options):
         done = call(name, *options)
         self.assertEqual(done.returncode, 2, (name, options))

@@ -16,7 +16,7 @@ struct TrackerParameters {
   double max_rms = 0.1;  ///< of a match's distances from the map [m]
   double min_overlap = 0.4;  ///< share of a scan's points that must be found in the map
   double max_spread = 0.5;   ///< a match that leaves more than this open tells nothing [m, rad]
-  int widen_after = 10;  ///< so many matches in a row that agree, but not with odometry, are right
+  int widen_after = 100;  ///< so many matches in a row that agree, but not with odometry, are right
 };
 
 /// Calls visit(key, value, low, high) for every number; widen_after is an int.
