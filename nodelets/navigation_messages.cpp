@@ -101,7 +101,12 @@ ExecutorReport reportOf(const RouteState& state) {
 std::vector<Planner::Mark> marksOf(const ObjectList& objects, const Pose2& T_map_base) {
   std::vector<Planner::Mark> marks;
   marks.reserve(objects.objects.size());
+  const auto bySight = [&objects](const Object& object) {
+    return object.source < objects.sources.size() &&
+           objects.sources[object.source].name == "camera";
+  };
   for (const Object& object : objects.objects) {
+    if (!bySight(object)) continue;
     const Eigen::Vector2d place(static_cast<double>(object.position.x),
                                 static_cast<double>(object.position.y));
     const double size = static_cast<double>(object.size);

@@ -21,7 +21,8 @@ NavigationState toMessage(const std::string& frame, const BehaviourReport& repor
 TaskState toMessage(const TaskerOutput& output, const std::string& refused);
 ExecutorReport reportOf(const RouteState& state);
 
-/// What is seen, as marks on the map. @param T_map_base when it was seen.
+/// What the camera sees, as marks on the map. A ranger's objects are where its echo may have come
+/// from: reason to be careful there, but no place to plan round. @param T_map_base when it was seen.
 std::vector<Planner::Mark> marksOf(const ObjectList& objects, const Pose2& T_map_base);
 
 }  // namespace pilothouse

@@ -1,0 +1,167 @@
+/// Sends random robots to random goals in random furnished rooms, some with people and things that
+/// the map lacks, and judges by the truth. docs/evaluation.md defines what is counted.
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <thread>
+
+#include "bench/eval_options.hpp"
+#include "bench/floor_bars.hpp"
+#include "bench/goal_trial.hpp"
+#include "bench/json_line.hpp"
+#include "doors/package_files.hpp"
+#include "sim/random.hpp"
+
+namespace pilothouse::bench {
+namespace {
+
+const EvalCommand kCommand{"eval goals",
+                           "Sends each of the three bases to random goals with headings in random "
+                           "furnished rooms, through\n"
+                           "planner, navigator, executor, camera, floor, memory, limiter and base. "
+                           "Every third room is as\n"
+                           "its map has it, with nobody in it, for the lengths; the others have "
+                           "people who walk and things\n"
+                           "that the map lacks; every tenth goal is where something stands. Prints "
+                           "a JSON object a run and\n"
+                           "a summary.",
+                           {"--runs", "--seed"}};
+
+constexpr double kMaxSeconds = 300.0;  // simulated, a run
+constexpr double kDegrees = 180.0 / M_PI;
+
+struct Totals {
+  int runs = 0, skipped = 0, possible = 0, reached = 0, impossible = 0, told = 0;
+  int contacts = 0, run_into = 0, lengths = 0;
+  double told_after = 0.0, off = 0.0, turned_off = 0.0, length_sum = 0.0, longest = 0.0;
+  double seconds = 0.0, driven = 0.0, wall = 0.0;
+
+  void add(const GoalResult& r) {
+    ++runs;
+    wall += r.wall_seconds;
+    contacts += r.contacts;
+    run_into += r.run_into;
+    driven += r.driven;
+    if (!r.possible && !r.task.unreachable) {
+      ++skipped;
+    } else if (r.task.unreachable) {
+      ++impossible;
+      if (r.failed) ++told;
+      told_after = std::max(told_after, r.said_after);
+    } else {
+      addPossible(r);
+    }
+  }
+  void addPossible(const GoalResult& r) {
+    ++possible;
+    if (!r.reached) return;
+    ++reached;
+    seconds += r.seconds;
+    off = std::max(off, r.off);
+    turned_off = std::max(turned_off, r.turned_off);
+    if (!r.task.still) return;
+    ++lengths;
+    length_sum += r.driven / r.shortest;
+    longest = std::max(longest, r.driven / r.shortest);
+  }
+};
+
+void print(const GoalResult& r) {
+  JsonLine json;
+  json.text("eval", "goals").whole("run", r.task.run).whole("seed", r.task.seed);
+  json.text("robot", r.task.robot->name).truth("still", r.task.still);
+  json.truth("possible", r.possible).truth("reached", r.reached).truth("failed", r.failed);
+  json.number("seconds", r.seconds, 2).number("driven_m", r.driven, 3);
+  json.number("shortest_m", r.shortest, 3).number("off_m", r.off, 4);
+  json.number("turned_off_deg", r.turned_off * kDegrees, 2).whole("plans", r.plans);
+  json.whole("contacts", r.contacts).whole("run_into", r.run_into).text("touched", r.touched);
+  json.number("wall_s", r.wall_seconds, 2).text("text", r.text);
+  std::cout << json.str() << std::endl;
+}
+
+std::vector<RobotDescription> robots() {
+  std::vector<RobotDescription> all;
+  for (const std::string name : {"platform", "docker"}) {
+    const auto robot = readRobotFile(packageFile("config/robots/" + name + ".yaml"));
+    if (!robot) throw std::runtime_error(robot.reason());
+    all.push_back(*robot);
+  }
+  RobotDescription sideways = all[0];
+  sideways.name = "platform_mecanum";
+  sideways.base = "omnidirectional";
+  sideways.drive.kind = BaseKind::kOmnidirectional;
+  all.push_back(sideways);
+  return all;
+}
+
+std::vector<GoalResult> runAll(const std::vector<GoalTask>& tasks) {
+  std::vector<GoalResult> results(tasks.size());
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t i = next++; i < tasks.size(); i = next++) {
+      results[i] = runGoal(tasks[i], kMaxSeconds);
+    }
+  };
+  std::thread other(work);
+  work();
+  other.join();
+  return results;
+}
+
+int run(const EvalOptions& options) {
+  const auto fleet = robots();
+  std::vector<GoalTask> tasks;
+  for (int i = 0; i < options.runs; ++i) {
+    GoalTask task;
+    task.run = i;
+    task.seed = sim::mixSeed(options.seed, static_cast<std::uint64_t>(i));
+    task.robot = &fleet[static_cast<std::size_t>(i) % fleet.size()];
+    task.still = (i / 3) % 3 == 0;
+    task.unreachable = i % 10 == 9;
+    tasks.push_back(task);
+  }
+  Totals totals;
+  for (const GoalResult& result : runAll(tasks)) {
+    print(result);
+    totals.add(result);
+  }
+  const std::vector<Bar> bars = {
+      {"reached_percent", 100.0 * totals.reached / std::max(1, totals.possible), 99.5, true},
+      {"unreachable_told_percent", 100.0 * totals.told / std::max(1, totals.impossible),
+       totals.impossible > 0 ? 100.0 : 0.0, true},
+      {"unreachable_told_after_s", totals.told_after, 1.0, false},
+      {"contacts", static_cast<double>(totals.contacts + totals.run_into), 0.0, false},
+      {"length_over_shortest", totals.length_sum / std::max(1, totals.lengths), 1.05, false},
+      {"final_error_m", totals.off, 0.05, false},
+      {"final_error_deg", totals.turned_off * kDegrees, 3.0, false},
+  };
+  bool pass = true;
+  JsonLine summary;
+  summary.text("eval", "goals").truth("summary", true);
+  for (const Bar& bar : bars) {
+    pass = pass && bar.isMet();
+    std::fprintf(stderr, "%-26s %10.4f   %s %g %s\n", bar.name.c_str(), bar.value,
+                 bar.at_least ? ">=" : "<=", bar.limit, bar.isMet() ? "met" : "MISSED");
+  }
+  summary.truth("pass", pass).whole("runs", totals.runs).whole("seed", options.seed);
+  for (const Bar& bar : bars) summary.number(bar.name, bar.value, 4);
+  summary.whole("possible", totals.possible).whole("rooms_without_goal", totals.skipped);
+  summary.whole("contacts_by_robot", totals.contacts).whole("run_into_standing", totals.run_into);
+  summary.whole("lengths", totals.lengths).number("worst_length_over_shortest", totals.longest, 3);
+  summary.number("driven_m", totals.driven, 1);
+  summary.number("seconds_a_goal", totals.seconds / std::max(1, totals.reached), 1);
+  summary.number("core_seconds_a_run", totals.wall / std::max(1, totals.runs), 2);
+  std::cout << summary.str() << std::endl;
+  return pass ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace pilothouse::bench
+
+int main(int argc, char** argv) {
+  using namespace pilothouse::bench;
+  return runEval(kCommand, argc, argv, run);
+}

@@ -1,0 +1,179 @@
+#include "bench/goal_trial.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+#include "bench/drive_loop.hpp"
+#include "bench/world_map.hpp"
+#include "core/navigation/goal_navigator.hpp"
+#include "sim/random.hpp"
+#include "sim/random_world.hpp"
+
+namespace pilothouse::bench {
+namespace {
+
+constexpr double kUnknownShare = 0.3;  // of boxes and cylinders that the map lacks
+constexpr double kLeast = 1.5;         // from the start to the goal [m]
+constexpr double kSpare = 0.05;        // a goal counts as reachable with so much more clearance [m]
+constexpr double kMoving = 0.01;       // [m/s]
+constexpr int kGoals = 200;            // places tried
+
+sim::RandomWorld worldOf(const GoalTask& task) {
+  sim::RandomWorldParameters parameters;
+  parameters.robot_radius = task.robot->outline().farthestFrom({0.0, 0.0});
+  if (task.still) parameters.most_people = 0;
+  if (task.still) parameters.blocked_share = 0.0;
+  return sim::randomWorld(task.seed, parameters);
+}
+
+bool startsWith(const std::string& text, const std::string& start) {
+  return text.compare(0, start.size(), start) == 0;
+}
+
+bool stands(const sim::Model& model) {
+  return !startsWith(model.name, "floor") && !startsWith(model.name, "ramp") &&
+         !startsWith(model.name, "sill");
+}
+
+/// The room as it is, as the robot knows it, and where it shall go.
+struct Errand {
+  MapCells whole, known;
+  Goal goal;
+  bool possible = false;
+  double shortest = 0.0;
+};
+
+PlanningParameters planningOf(double clearance, double closeness) {
+  PlanningParameters parameters;
+  parameters.clearance += clearance;
+  parameters.closeness = closeness;
+  return parameters;
+}
+
+std::optional<Errand> errandOf(const GoalTask& task, const sim::World& world) {
+  sim::Random random(sim::mixSeed(task.seed, 77));
+  Errand errand;
+  const double height = task.robot->height;
+  errand.whole = mapOf(world, height, stands);
+  errand.known = mapOf(world, height, [&](const sim::Model& model) {
+    if (!stands(model)) return false;
+    const bool small = startsWith(model.name, "box") || startsWith(model.name, "cylinder");
+    const bool unexpected = startsWith(model.name, "unexpected");
+    return task.still || !(unexpected || (small && random.chance(kUnknownShare)));
+  });
+  const BaseKind base = task.robot->drive.kind;
+  Planner truth(planningOf(kSpare, 0.5), task.robot->outline(), base);
+  Planner shortest(planningOf(0.0, 0.0), task.robot->outline(), base);
+  truth.setMap(errand.whole);
+  shortest.setMap(errand.whole);
+  for (int i = 0; i < kGoals; ++i) {
+    const MapCells& map = errand.whole;
+    const int x = random.integer(0, map.size_x - 1), y = random.integer(0, map.size_y - 1);
+    errand.goal = {{map.centreX(x), map.centreY(y)}, random.uniform(-M_PI, M_PI)};
+    const PlanRequest request{world.start, errand.goal.place, errand.goal.heading};
+    if ((request.start.position() - request.goal).norm() < kLeast) continue;
+    if (task.unreachable) {
+      if (errand.known.at(x, y) != MapCell::kOccupied) continue;
+      return errand;
+    }
+    if (!truth.plan(request)) continue;
+    const Plan best = shortest.plan(request);
+    if (!best) continue;
+    errand.possible = true;
+    errand.shortest = best.length;
+    return errand;
+  }
+  return std::nullopt;
+}
+
+ExecutorReport reportOf(const DriveStep& step) {
+  ExecutorReport report;
+  report.stamp = step.time;
+  report.text = step.executor.text;
+  const ExecutorReport::State states[] = {ExecutorReport::kIdle, ExecutorReport::kDriving,
+                                          ExecutorReport::kWaiting, ExecutorReport::kReached};
+  report.state = states[static_cast<std::size_t>(step.executor.state)];
+  return report;
+}
+
+/// What the sensors see, as the navigator marks it.
+std::vector<Planner::Mark> marksOf(const Surroundings& seen, const Pose2& pose) {
+  std::vector<Planner::Mark> marks;
+  for (const auto& object : seen.objects) {
+    if (seen.sources[object.source].name != "camera") continue;
+    const MapCell kind = object.kind == CellClass::kDropOff     ? MapCell::kDropOff
+                         : object.kind == CellClass::kThreshold ? MapCell::kThreshold
+                                                                : MapCell::kOccupied;
+    marks.push_back(
+        {pose * object.position.cast<double>(), 0.5 * static_cast<double>(object.size), kind});
+  }
+  return marks;
+}
+
+void drive(DriveLoop& loop, const DriveOrder& order) {
+  std::vector<Eigen::Vector2d> points;
+  for (const Pose2& pose : order.poses) points.push_back(pose.position());
+  loop.drive(points, order.heading, false);
+}
+
+}  // namespace
+
+GoalResult runGoal(const GoalTask& task, double max_seconds) {
+  const auto began = std::chrono::steady_clock::now();
+  GoalResult result;
+  result.task = task;
+  sim::RandomWorld random = worldOf(task);
+  const auto errand = errandOf(task, random.world);
+  if (!errand) {
+    result.possible = false;
+    result.text = "no goal found in this room";
+    return result;
+  }
+  result.possible = errand->possible;
+  result.shortest = errand->shortest;
+  Planner planner({}, task.robot->outline(), task.robot->drive.kind);
+  planner.setMap(errand->known);
+  GoalNavigator navigator({}, planner);
+  DriveLoopParameters parameters;
+  parameters.simulation.sensors.camera = *sim::cameraProfile("kinect_qvga");
+  parameters.simulation.sensors.depth_rate = 15.0;
+  parameters.simulation.seed = task.seed;
+  DriveLoop loop(std::move(random.world), *task.robot, parameters);
+  navigator.start(errand->goal);
+  const double asked = loop.simulation().time();
+  NavigationStatus status;
+  DriveStep step;
+  double last = asked;
+  for (int tick = 0; loop.simulation().time() < max_seconds; ++tick) {
+    step = loop.step();
+    result.driven += step.twist.linear() * (step.time - last);
+    last = step.time;
+    if (loop.floor() == nullptr || tick % 2 != 0) continue;  // the camera is still waking up
+    planner.mark(marksOf(loop.surroundings(), step.pose));
+    NavigationInput input;
+    input.now = step.time;
+    input.pose = step.pose;
+    input.executor = reportOf(step);
+    const NavigationOutput output = navigator.step(input);
+    status = output.status;
+    if (output.order) drive(loop, *output.order);
+    if (navigator.ended()) break;
+  }
+  result.reached = status.phase == NavigationPhase::kReached;
+  result.failed = status.phase == NavigationPhase::kFailed;
+  result.text = status.text;
+  result.plans = status.plans;
+  result.seconds = result.said_after = last - asked;
+  result.off = (step.pose.position() - errand->goal.place).norm();
+  result.turned_off = std::abs(wrapped(step.pose.heading - *errand->goal.heading));
+  for (const auto& contact : loop.simulation().base().contacts()) {
+    ++(contact.robot_speed > kMoving ? result.contacts : result.run_into);
+    result.touched += loop.simulation().nameOf(contact.model) + " ";
+  }
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - began;
+  result.wall_seconds = wall.count();
+  return result;
+}
+
+}  // namespace pilothouse::bench

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "doors/robot_description.hpp"
+
+namespace pilothouse::bench {
+
+/// One run of the campaign: a random furnished room, a goal in it, one of the robots.
+struct GoalTask {
+  int run = 0;
+  std::uint64_t seed = 0;
+  const RobotDescription* robot = nullptr;
+  bool still = false;        ///< nobody walks and the map knows everything: lengths are judged
+  bool unreachable = false;  ///< the goal is where something stands
+};
+
+struct GoalResult {
+  GoalTask task;
+  bool possible = true;     ///< the goal can be reached, things that the map lacks included
+  bool reached = false;     ///< it said so
+  bool failed = false;      ///< it said so
+  std::string text;         ///< what it said last
+  double seconds = 0.0;     ///< simulated
+  double said_after = 0.0;  ///< gave its verdict [s]
+  double driven = 0.0, shortest = 0.0;  ///< [m]
+  double off = 0.0;                     ///< from the goal at the end [m]
+  double turned_off = 0.0;              ///< [rad]
+  int contacts = 0;                     ///< begun by the robot's motion
+  int run_into = 0;                     ///< by somebody who walked into the standing robot
+  std::string touched;
+  unsigned plans = 0;
+  double wall_seconds = 0.0;
+};
+
+GoalResult runGoal(const GoalTask& task, double max_seconds);
+
+}  // namespace pilothouse::bench
