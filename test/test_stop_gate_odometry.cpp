@@ -57,6 +57,15 @@ TEST(StopGateOdometry, StopsInTimeWhenOdometryStandsAtOnceInFullDrive) {
   EXPECT_TRUE(robot.arm()) << "a robot that stands says the same for long";
 }
 
+TEST(StopGateOdometry, StopsInTimeThoughTheLastReadingThatMovedWasMissed) {
+  Driving robot;
+  robot.stands = true;
+  robot.tick();
+  robot.frozen = true;
+  expectInTime(robot.timeToZero());
+  robot.expectLatched(StopCause::kStaleOdometry);
+}
+
 TEST(StopGateOdometry, ARobotThatStandsAtOnceByItsCommandIsNotFrozen) {
   Driving robot;
   robot.wanted = {};

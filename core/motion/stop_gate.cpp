@@ -70,7 +70,8 @@ void takeOdometry(Step& g) {
   const bool must_move = g.now() - s.driven_since > kDriven + g.p.steering_time;
   // No base that drives on stands from one reading to the next, not even a millimetre farther.
   const bool driven = s.driven_since <= g.now();
-  s.halted = stays && driven && (s.halted || (rests && isDriven(s.twist)));
+  // Its last reading that moved may have been missed: then the first that stands lies elsewhere.
+  s.halted = rests && driven && (s.halted || isDriven(s.twist));
   const bool frozen = stays && (!rests || s.halted || (must_move && s.twist.zero()));
   if (!frozen) s.odometry.take(odometry, g.in.now, kFuture);
   s.pose = pose;
