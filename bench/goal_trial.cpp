@@ -63,7 +63,9 @@ std::optional<Errand> errandOf(const GoalTask& task, const sim::World& world) {
     return task.still || !(unexpected || (small && random.chance(kUnknownShare)));
   });
   const BaseKind base = task.robot->drive.kind;
-  Planner truth(planningOf(kSpare, 0.5), task.robot->outline(), base);
+  PlanningParameters spare = planningOf(kSpare, 0.5);
+  spare.wish = 1.0;  // so that clearances are known so far
+  Planner truth(spare, task.robot->outline(), base);
   Planner shortest(planningOf(0.0, 0.0), task.robot->outline(), base);
   truth.setMap(errand.whole);
   shortest.setMap(errand.whole);
@@ -77,7 +79,10 @@ std::optional<Errand> errandOf(const GoalTask& task, const sim::World& world) {
       if (errand.known.at(x, y) != MapCell::kOccupied) continue;
       return errand;
     }
-    if (!truth.plan(request)) continue;
+    // Nearer to things than it stops before them the robot is not let, whatever the goal.
+    const double room =
+        truth.check().circumscribed() + task.robot->avoidance.stop_distance + kSpare;
+    if (truth.field().clearance(x, y) < room || !truth.plan(request)) continue;
     const Plan best = shortest.plan(request);
     if (!best) continue;
     errand.possible = true;

@@ -69,6 +69,7 @@ void GoalNavigator::resume() {
   trail_.clear();
   tries_ = arrivals_ = 0;
   measure_ = Measure::kReplan;
+  stuck_off_ = HUGE_VAL;
 }
 
 void GoalNavigator::enter(NavigationPhase phase) {
@@ -247,10 +248,11 @@ void GoalNavigator::arrive(const NavigationInput& input) {
 
 /// The next measure of the ladder: plan anew, look round, back off, rest; some times over.
 void GoalNavigator::stuck(const NavigationInput& input) {
-  if ((input.pose->position() - stuck_at_).norm() > kElsewhere) {
+  const double off = (input.pose->position() - goal_.place).norm();
+  if (off < stuck_off_ - kElsewhere) {
     tries_ = 0;
     measure_ = Measure::kReplan;
-    stuck_at_ = input.pose->position();
+    stuck_off_ = off;
   }
   if (!text_.empty()) stuck_by_ = text_;
   got_on_ = turned_on_ = now_;

@@ -129,7 +129,7 @@ class GoalNavigator {
   std::uint32_t revision_ = 0;
   int tries_ = 0, arrivals_ = 0, looks_ = 0;
   Measure measure_ = Measure::kReplan;
-  Eigen::Vector2d stuck_at_{0.0, 0.0};
+  double stuck_off_ = 0.0;  ///< from the goal when it first was stuck [m]
   std::string stuck_by_;
   Pose2 look_from_;
   std::deque<Pose2> trail_;
