@@ -1,13 +1,17 @@
-// The real mapper nodelet in this process, fed by hand.
+// The real mapping nodelets in this process, fed by hand.
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <gtest/gtest.h>
 #include <nav_msgs/OccupancyGrid.h>
 #include <nodelet/loader.h>
+#include <pilothouse/MapFile.h>
 #include <pilothouse/MapGrid.h>
-#include <std_srvs/Trigger.h>
 #include <tf2_ros/transform_broadcaster.h>
+#include <visualization_msgs/Marker.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <limits>
 
 #include "doors/map_views.hpp"
@@ -194,6 +198,61 @@ TEST(Mapper, RefusesToStartWithWrongParameters) {
   harness.handle().deleteParam("mapper/cell_size");
   harness.handle().setParam("mapper/typo", 1);
   EXPECT_FALSE(harness.load());
+}
+
+/// A folder that goes with its test.
+struct OwnFolder {
+  OwnFolder() {
+    std::string pattern = "/tmp/pilothouse_volume_XXXXXX";
+    if (mkdtemp(&pattern[0]) != nullptr) path = pattern;
+  }
+  ~OwnFolder() { std::filesystem::remove_all(path); }
+  std::string path;
+};
+
+TEST(VolumeMapper, LearnsPublishesAndRefusesHostileFiles) {
+  const OwnFolder folder;
+  ros::NodeHandle handle("/volume_mapping");
+  handle.setParam("volume_mapper/folder", folder.path);
+  handle.setParam("volume_mapper/map_frame", "base_link");
+  handle.setParam("volume_mapper/rate", 20.0);
+  handle.setParam("volume_mapper/publish_period", 0.2);
+  Inbox<sensor_msgs::PointCloud2> points(handle, "volume_points");
+  Inbox<visualization_msgs::Marker> cubes(handle, "volume");
+  ros::Publisher image = handle.advertise<sensor_msgs::Image>("camera/depth/image_rect", 2);
+  ros::Publisher info = handle.advertise<sensor_msgs::CameraInfo>("camera/depth/camera_info", 2);
+  const auto camera = broadcastCamera();
+  nodelet::Loader loader(false);
+  ASSERT_TRUE(loader.load("/volume_mapping/volume_mapper", "pilothouse/VolumeMapper",
+                          ros::M_string(), nodelet::V_string()));
+  const BoxScene scene;
+  const auto newest = [&points] { return points.all().empty() ? 0U : points.all().back()->width; };
+  ASSERT_TRUE(spinUntil([&] {
+    const double now = ros::Time::now().toSec();
+    info.publish(scene.info(now));
+    image.publish(scene.image(now));
+    return newest() > 100 && !cubes.all().empty();
+  }));
+  EXPECT_EQ(cubes.all().back()->type, visualization_msgs::Marker::CUBE_LIST);
+  EXPECT_FALSE(cubes.all().back()->points.empty());
+
+  const auto call = [&](const std::string& service, const std::string& name) {
+    MapFile file;
+    file.request.name = name;
+    EXPECT_TRUE(ros::service::waitForService("/volume_mapping/volume/" + service, 20000));
+    EXPECT_TRUE(ros::service::call("/volume_mapping/volume/" + service, file));
+    return file.response;
+  };
+  EXPECT_TRUE(call("save", "hall").success);
+  std::ofstream(folder.path + "/bomb.bt") << "# Octomap OcTree binary file\nid OcTree\nsize "
+                                             "1000000\nres 0.05\ndata\n"
+                                          << std::string(2000000, '\xFF');
+  const auto bomb = call("load", "bomb");
+  EXPECT_FALSE(bomb.success);
+  EXPECT_EQ(bomb.message, folder.path + "/bomb.bt: the tree is deeper than 16 levels");
+  EXPECT_FALSE(call("load", "../hall").success);
+  EXPECT_TRUE(call("load", "hall").success);
+  handle.deleteParam("/volume_mapping");
 }
 
 }  // namespace

@@ -140,6 +140,19 @@ TEST(OccupancyMap, ObstaclesOfTheGridAlonePassAndObjectsStay) {
   EXPECT_EQ(at(map, 1.26, 0.01), MapCell::kFree);
 }
 
+// The rim of a thing is seen now as an obstacle, now as floor.
+TEST(OccupancyMap, WhatStaysAndIsSeenAgainDoesNotFade) {
+  OccupancyMap map({});
+  map.set({map.cellOf(1.51, 0.01)}, MapCell::kOccupied);
+  FloorCells thing = openFloor();
+  put(thing, 1.5, 0.0, 1.55, 0.05, CellClass::kObstacle);
+  for (int i = 0; i < 20; ++i) {
+    look(map, thing, 1);
+    look(map, openFloor(), 1);
+    EXPECT_EQ(at(map, 1.51, 0.01), MapCell::kOccupied);
+  }
+}
+
 TEST(OccupancyMap, ThreeLooksAtFreeFloorClearWhatStood) {
   OccupancyMap map({});
   map.set({map.cellOf(1.51, 0.01)}, MapCell::kOccupied);

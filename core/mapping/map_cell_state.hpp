@@ -60,7 +60,7 @@ struct CellRule {
         count(cell.drop_off, +1);
         break;
       case CellEvidence::kPassing:
-        raise(cell, passing);
+        raise(cell, cell.odds >= occupied ? most : passing);  // what stays is seen again
         count(cell.drop_off, -1);
         break;
       case CellEvidence::kObstacle:
