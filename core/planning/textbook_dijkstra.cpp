@@ -20,7 +20,8 @@ std::optional<std::uint32_t> textbookDijkstra(const CostField& field, const Cell
   costs[field.index(start.x, start.y)] = 0;
   queue.push({0, field.index(start.x, start.y)});
   while (!queue.empty()) {
-    const auto [cost, cell] = queue.top();
+    // No structured binding: clang lets no lambda see one.
+    const std::uint32_t cost = queue.top().first, cell = queue.top().second;
     queue.pop();
     if (cost > costs[cell]) continue;
     if (cell == end) return cost;
