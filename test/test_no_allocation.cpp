@@ -11,6 +11,7 @@
 #include "core/floor/floor_segmenter.hpp"
 #include "core/floor/nearest_objects.hpp"
 #include "core/floor/virtual_scan.hpp"
+#include "core/mapping/occupancy_map.hpp"
 
 namespace {
 std::atomic<long> allocations{0};
@@ -166,6 +167,31 @@ TEST_F(NoAllocationTest, ListingObjectsAndScanningAllocateNothingAfterTheFirstFr
   grid.classes.assign(grid.geometry.cells(), CellClass::kFloor);
   EXPECT_EQ(allocationsOf(work), 0);
   EXPECT_FALSE(nearest.find(grid).empty());
+}
+
+TEST_F(NoAllocationTest, LearningTheMapAllocatesNothingOnceItHasGrown) {
+  FloorCells grid;
+  grid.geometry = {0.2F, -2.5F, 0.05F, 76, 100};
+  grid.classes.assign(grid.geometry.cells(), CellClass::kFloor);
+  for (std::size_t i = 0; i < grid.classes.size(); i += 7) grid.classes[i] = CellClass::kDropOff;
+  const FloorFrame floor{0.0, grid.geometry, grid.classes.data(), nullptr};
+  const std::vector<float> ranges(640, 3.0F);
+  PlanarScan scan;
+  scan.increment = 2.0 * M_PI / 640.0;
+  scan.range_max = 10.0;
+  scan.ranges = ranges.data();
+  scan.count = ranges.size();
+  OccupancyMap map({});
+  int frame = 0;
+  const auto work = [&] {  // ten places, again and again
+    const Pose2 pose{0.1 * (frame % 10), 0.0, 0.3 * (frame % 10)};
+    ++frame;
+    map.addFloor(floor, pose);
+    map.addScan(scan, pose);
+  };
+  for (int i = 0; i < 10; ++i) work();
+  EXPECT_EQ(allocationsOf(work), 0);
+  EXPECT_GT(map.blockCount(), 50U);
 }
 
 TEST_F(NoAllocationTest, TheCounterCounts) {
