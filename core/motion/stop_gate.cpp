@@ -17,6 +17,8 @@ constexpr double kInCommand = 2.0;      // its commands still ramp down so long 
 constexpr double kDrivenSpeed = 0.05;   // a base that is sent faster than this ... [m/s]
 constexpr double kDrivenTurn = 0.2;     // ... or turns faster ... [rad/s]
 constexpr double kDriven = 1.0;         // ... for so long moves, or is held, which shows too [s]
+constexpr double kDip = 0.1;            // a command zero for no longer has not let it brake [s]
+constexpr double kLately = 0.5;         // one that braked by its command stands by then [s]
 constexpr double kStopForgotten = 5.0;  // a pressed stop of a console that is gone, then [s]
 
 using Finding = StopFinding;
@@ -28,6 +30,7 @@ struct Step {
   const GateInputs& in;
   GateOutput out;
   Finding clock;
+  double seconds = 0.0;  // since the last step
 
   double now() const { return in.now.steady; }
 };
@@ -52,6 +55,7 @@ void takeTime(Step& g) {
     g.clock = {StopCause::kClock, ros, kClockJump, -1};
   }
   if (g.clock) forgetStamps(s);
+  if (s.started && !g.clock) g.seconds = steady;
   s.started = true;
   s.last = g.in.now;
 }
@@ -67,11 +71,12 @@ void takeOdometry(Step& g) {
   const bool stays = pose.x == last.x && pose.y == last.y && pose.heading == last.heading;
   const bool rests = odometry.twist.zero();
   // A driver that froze while the robot stood says for ever that it stands.
-  const bool must_move = g.now() - s.driven_since > kDriven + g.p.steering_time;
-  // No base that drives on stands from one reading to the next, not even a millimetre farther.
-  const bool driven = s.driven_since <= g.now();
+  const bool must_move = s.driven_for > kDriven + g.p.steering_time;
+  // No base that drives on stands from one reading to the next, not even a millimetre farther. One
+  // whose command has just become zero might; but then it is not the next command that finds it so.
   // Its last reading that moved may have been missed: then the first that stands lies elsewhere.
-  s.halted = rests && driven && (s.halted || isDriven(s.twist));
+  s.stood = rests && g.now() - s.driven_at <= kLately && (s.stood || isDriven(s.twist));
+  s.halted = s.stood && (s.halted || s.driven);
   const bool frozen = stays && (!rests || s.halted || (must_move && s.twist.zero()));
   if (!frozen) s.odometry.take(odometry, g.in.now, kFuture);
   s.pose = pose;
@@ -236,11 +241,13 @@ void passCommand(Step& g) {
 }
 
 void noteDriven(Step& g) {
-  const Twist2& sent = g.out.command;
-  if (!isDriven(sent))
-    g.s.driven_since = kInfinite;
-  else if (g.s.driven_since == kInfinite)
-    g.s.driven_since = g.now();
+  GateState& s = g.s;
+  s.driven = isDriven(g.out.command);
+  if (s.driven) s.driven_at = g.now();
+  // A dip does not undo it, however long it has been driven; commands that are zero mostly do.
+  const double enough = kDriven + g.p.steering_time + 2.0 * kDip;
+  const double longer = s.driven_for + (s.driven ? g.seconds : -g.seconds);
+  s.driven_for = g.now() - s.driven_at > kDip ? 0.0 : std::clamp(longer, 0.0, enough);
 }
 
 }  // namespace

@@ -121,11 +121,14 @@ struct GateState {
   StopFinding stopped{StopCause::kNotArmed, 0.0, 0.0, -1};
   bool moving = false;  ///< the last command that passed was not zero
   InputAge perception, odometry, limit, task;
-  Pose2 pose;                                                     ///< by the newest odometry
-  Twist2 twist;                                                   ///< by it
-  double driven_since = std::numeric_limits<double>::infinity();  ///< steady [s]; infinite: is not
-  bool halted = false;  ///< odometry does not move since it stood from one reading to the next
-  Arrival teleop;       ///< newest stamp of the console's clock, and when it first came
+  Pose2 pose;           ///< by the newest odometry
+  Twist2 twist;         ///< by it
+  bool driven = false;  ///< the last command that passed makes a base move
+  double driven_at = -std::numeric_limits<double>::infinity();  ///< when one last did, steady [s]
+  double driven_for = 0.0;  ///< so much longer than not, dips of the command left out [s]
+  bool stood = false;       ///< odometry stood from one reading to the next, driven lately
+  bool halted = false;      ///< and a command drove then, or since
+  Arrival teleop;           ///< newest stamp of the console's clock, and when it first came
   CommandSource source = CommandSource::kUnknown;
   double source_known = -std::numeric_limits<double>::infinity();  ///< steady [s]
   BeatTimes beats;
@@ -151,14 +154,14 @@ struct GateOutput {
 /// While armed, each of these stops and latches: a perception, odometry or limiter's report older
 /// than its limit (of the ORIGINAL: see InputAge; odometry that stays the same to the last bit
 /// while it or a second of commands says that the robot moves, or since it stood at once in full
-/// drive, is no newer for its stamps); the command's source silent while the robot moved; a console
-/// silent that was there since arming and did not say that it leaves; an operator's stop; a second
-/// publisher; a command that is not finite or over the base's limits; a jump of a clock, or a gate
-/// that itself stood still. Without a command, the last one zero, it is idle, which is no fault. A
-/// teleop command counts as no younger than the newest sign of life of the console in command, so
-/// that none older than its limit is acted on, whatever a link delays. Arming is refused while any
-/// of these holds, and while a command of a person is held: it must have been zero before. A task
-/// may go on after arming.
+/// drive, is no newer for its stamps; a command that dips to zero for moments drives all the same);
+/// the command's source silent while the robot moved; a console silent that was there since arming
+/// and did not say that it leaves; an operator's stop; a second publisher; a command that is not
+/// finite or over the base's limits; a jump of a clock, or a gate that itself stood still. Without
+/// a command, the last one zero, it is idle, which is no fault. A teleop command counts as no
+/// younger than the newest sign of life of the console in command, so that none older than its
+/// limit is acted on, whatever a link delays. Arming is refused while any of these holds, and while
+/// a command of a person is held: it must have been zero before. A task may go on after arming.
 GateOutput step(const GateParameters& parameters, GateState& state, const GateInputs& inputs);
 
 /// What is wrong with a command in itself: nothing, or kBadCommand.
