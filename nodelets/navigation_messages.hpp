@@ -22,7 +22,8 @@ TaskState toMessage(const TaskerOutput& output, const std::string& refused);
 ExecutorReport reportOf(const RouteState& state);
 
 /// What the camera sees, as marks on the map. A ranger's objects are where its echo may have come
-/// from: reason to be careful there, but no place to plan round. @param T_map_base when it was seen.
+/// from: reason to be careful there, but no place to plan round. @param T_map_base when it was
+/// seen.
 std::vector<Planner::Mark> marksOf(const ObjectList& objects, const Pose2& T_map_base);
 
 }  // namespace pilothouse

@@ -164,7 +164,7 @@ TEST_F(Goals, AStandardActionClientSendsTheRobotRoundWhatTheMapDoesNotHave) {
   EXPECT_GT(aside, 0.3) << "round the box";
   EXPECT_EQ(contacts.count, 0U);
   EXPECT_EQ(task.behaviour, "go_to");
-  EXPECT_EQ(task.state, TaskState::DONE);
+  ASSERT_TRUE(spinUntil([&] { return task.state == TaskState::DONE; }));
 
   // One within a wall is refused with the reason, and the nearest place that can be reached is
   // told.
