@@ -47,7 +47,7 @@ int run(int argc, char** argv) {
     const GateProcess gate(parameters, handle);
     waitForTheEnd();
   } catch (const ParameterFault&) {
-    return 1;  // each fault was logged
+    return kRefused;  // each fault was logged
   }
   ros::shutdown();
   return 0;

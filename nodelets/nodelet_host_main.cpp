@@ -1,9 +1,12 @@
 // A nodelet manager that loads its nodelets by itself: those of ~nodelets, name: type. With
-// --respawn it is started again where it is killed, but not where it refuses what it is asked; it
+// --respawn it is started again when it ends unasked, but not where it refuses what it is asked; it
 // is complete at once, without loaders whose bonds take seconds to break and which a busy computer
 // or a jump of time breaks for nothing.
 #include <nodelet/loader.h>
 #include <ros/ros.h>
+
+#include <cstdio>
+#include <cstdlib>
 
 #include "doors/respawned.hpp"
 #include "doors/strict_parameters.hpp"
@@ -33,12 +36,19 @@ std::map<std::string, std::string> readNodelets() {
   return found;
 }
 
+/// The nodelets that were loaded already run: none of them is taken apart beneath its threads.
+[[noreturn]] void refuse() {
+  ros::shutdown();
+  std::fflush(nullptr);
+  std::_Exit(pilothouse::kRefused);
+}
+
 int load() {
   nodelet::Loader loader(ros::NodeHandle("~"));
   for (const auto& [name, type] : readNodelets()) {
     if (loader.load(name, type, ros::M_string(), nodelet::V_string())) continue;
     ROS_FATAL("Cannot load %s as %s: the reason stands above", type.c_str(), name.c_str());
-    return 1;
+    refuse();
   }
   ros::spin();
   return 0;
@@ -49,7 +59,7 @@ int run(int argc, char** argv) {
   try {
     return load();
   } catch (const pilothouse::ParameterFault&) {
-    return 1;  // each fault was logged
+    return pilothouse::kRefused;  // each fault was logged
   }
 }
 

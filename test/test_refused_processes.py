@@ -12,6 +12,8 @@ import rospkg
 import rospy
 import rostest
 
+REFUSED = 3  # the only exit code after which nothing is started again
+
 
 def run(*arguments):
     done = subprocess.run(['rosrun', 'nodelet', 'nodelet'] + list(arguments), timeout=60,
@@ -47,7 +49,7 @@ class RefusedProcesses(unittest.TestCase):
         rospy.set_param('/deep/range', 'far')
         done = subprocess.run(['rosrun', 'pilothouse', 'nodelet_host', '--respawn', '__name:=host'], timeout=60,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True)
-        self.assertEqual(done.returncode, 1, done.stdout)
+        self.assertEqual(done.returncode, REFUSED, done.stdout)
         self.assertEqual(done.stdout.count('/deep: range is "far" (a string), expected a number from 0.5 to 20'), 1,
                          done.stdout)
 
@@ -58,10 +60,33 @@ class RefusedProcesses(unittest.TestCase):
         with tempfile.NamedTemporaryFile('w', suffix='.yaml') as bad:
             bad.write(robot)
             bad.flush()
-            done = subprocess.run(['roslaunch', 'pilothouse', 'robot.launch', 'robot:=' + bad.name], timeout=90,
-                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True)
+            output = launched('robot.launch', 'robot:=' + bad.name)
         rospy.delete_param('/robot')
-        self.assertEqual(done.stdout.count('height is -0.75'), 1, done.stdout)
+        self.assertEqual(output.count('height is -0.75'), 1, output)
+
+    def test_launch_ends_by_the_gate(self):
+        """The same where it is the stop gate that refuses."""
+        text = '''<launch>
+          <include file="$(find pilothouse)/launch/robot.launch"><arg name="motion" value="true"/></include>
+          <param name="stop_gate/perception_timeout" value="9.0"/>
+        </launch>'''
+        with tempfile.NamedTemporaryFile('w', suffix='.launch') as bad:
+            bad.write(text)
+            bad.flush()
+            output = launched(bad.name)
+        rospy.delete_param('/robot')
+        rospy.delete_param('/stop_gate')
+        refusal = '/stop_gate: perception_timeout is 9 (a double), expected a number from 0.05 to 2'
+        self.assertEqual(output.count(refusal), 1, output)
+        self.assertIn('REQUIRED process [stop_gate', output)
+
+
+def launched(*arguments):
+    """What it said until its end."""
+    package = [] if arguments[0].startswith('/') else ['pilothouse']
+    done = subprocess.run(['roslaunch'] + package + list(arguments), timeout=90,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True)
+    return done.stdout
 
 
 def robot_file():
