@@ -41,6 +41,7 @@ BaseWatch::BaseWatch(ros::NodeHandle& handle) {
       handle.subscribe(commands),
       handle.subscribe("ground_truth", 100, &BaseWatch::takeTruth, this, hints),
       handle.subscribe("stop_state", 100, &BaseWatch::takeState, this, hints),
+      handle.subscribe("contacts", 100, &BaseWatch::takeContacts, this, hints),
       handle.subscribe("speed_limit", 100, &BaseWatch::takeLimit, this, hints),
       handle.subscribe("camera/depth/camera_info", 100, &BaseWatch::takePicture, this, hints)};
 }
@@ -69,9 +70,18 @@ void BaseWatch::takeTruth(const nav_msgs::Odometry& odometry) {
 
 void BaseWatch::takeState(const StopState& state) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  if (state.state != StopState::STOPPED)
+    stopped_from_ = kNone;
+  else if (std::isnan(stopped_from_))
+    stopped_from_ = ros::Time::now().toSec();
   state_ = state;
   state_at_ = steadyNow();
   changed_.notify_all();
+}
+
+void BaseWatch::takeContacts(const Contacts& contacts) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  contacts_ = contacts.count;
 }
 
 void BaseWatch::takeLimit(const SpeedLimit& limit) {
@@ -143,6 +153,23 @@ double BaseWatch::zeroFrom(double stamp) const {
   for (const Command& command : commands_)
     if (command.zero && command.ros >= stamp) return command.ros;
   return kNone;
+}
+
+int BaseWatch::commandsFrom(double stamp) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return static_cast<int>(std::count_if(
+      commands_.begin(), commands_.end(),
+      [stamp](const Command& command) { return command.ros > stamp && !command.zero; }));
+}
+
+double BaseWatch::stoppedFrom() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return stopped_from_;
+}
+
+std::uint32_t BaseWatch::contacts() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return contacts_;
 }
 
 BaseWatch::Truth BaseWatch::truthNow() const {

@@ -2,12 +2,15 @@
 
 #include <geometry_msgs/Twist.h>
 #include <nav_msgs/Odometry.h>
+#include <pilothouse/Contacts.h>
 #include <pilothouse/SpeedLimit.h>
 #include <pilothouse/StopState.h>
 #include <ros/ros.h>
 #include <sensor_msgs/CameraInfo.h>
 
 #include <condition_variable>
+#include <cstdint>
+#include <limits>
 #include <mutex>
 #include <vector>
 
@@ -52,6 +55,12 @@ class BaseWatch {
   /// came after it; ROS time [s], NaN: none.
   double pictureFrom(double stamp) const;
   double zeroFrom(double stamp) const;
+  /// Commands of the gate that were not zero and came after an instant, ROS time [s].
+  int commandsFrom(double stamp) const;
+  /// Since when the gate says that it is stopped, ROS time [s]; NaN: it does not.
+  double stoppedFrom() const;
+  /// Contacts of the robot since it was started.
+  std::uint32_t contacts() const;
 
   template <class Condition>
   bool wait(double seconds, Condition holds) {
@@ -77,6 +86,7 @@ class BaseWatch {
   void takeCommand(const ros::MessageEvent<const geometry_msgs::Twist>& event);
   void takeTruth(const nav_msgs::Odometry& odometry);
   void takeState(const StopState& state);
+  void takeContacts(const Contacts& contacts);
   void takeLimit(const SpeedLimit& limit);
   void takePicture(const sensor_msgs::CameraInfo& info);
 
@@ -88,6 +98,8 @@ class BaseWatch {
   std::vector<double> pictures_;  ///< stamps, ROS time [s]
   StopState state_;
   double state_at_ = 0.0;
+  double stopped_from_ = std::numeric_limits<double>::quiet_NaN();  ///< ROS time [s]
+  std::uint32_t contacts_ = 0;
   Truth truth_;
   SpeedLimit limit_;
 };

@@ -22,10 +22,12 @@ const EvalCommand kCommand{
     "max <= 0.25 s, moving within 5 s of the obstacle's end.",
     {"--faults", "--appearances", "--seed", "--out"}};
 
-/// Keeps one core busy while it lives.
+/// Keeps one core busy while it lives, and no longer than this process, however it ends.
 class BusyCore {
  public:
-  BusyCore() : process_(startProcess({"taskset", "-c", "0", "sh", "-c", "while :; do :; done"})) {}
+  BusyCore()
+      : process_(startProcess({"setpriv", "--pdeathsig", "KILL", "taskset", "-c", "0", "sh", "-c",
+                               "while :; do :; done"})) {}
   ~BusyCore() {
     kill(process_, SIGKILL);
     waitpid(process_, nullptr, 0);

@@ -18,7 +18,7 @@ void signalProcess(pid_t process, int signal, const std::string& node) {
     throw std::runtime_error(node + " has no process to be signalled");
 }
 
-/// roslaunch starts it anew.
+/// Its watcher (of console and relay: roslaunch) starts it anew.
 StopFault killed(const std::string& part, const std::string& node) {
   StopFault fault;
   fault.name = "kill " + part;

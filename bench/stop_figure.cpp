@@ -68,7 +68,7 @@ void drawStops(const std::vector<StopResult>& faults,
   for (const StopResult& result : faults) kinds[result.fault].push_back(result.to_zero);
   std::vector<double> appeared;
   for (const AppearanceResult& result : appearances)
-    if (!result.stopped) appeared.push_back(result.to_zero);
+    if (!result.beforehand) appeared.push_back(result.to_zero);
   const int rows = static_cast<int>(kinds.size());
   Strips strips(rows + 2);
   strips.headline(

@@ -55,7 +55,9 @@ std::string jsonOf(const AppearanceResult& result, int number) {
   JsonLine line;
   line.text("eval", "stop").whole("appearance", number).number("speed", result.speed);
   line.number("to_zero", result.to_zero).number("from_place", result.from_place);
+  line.whole("commands_after", result.commands_after).whole("contacts", result.contacts);
   line.number("resumed", result.resumed).truth("stopped", result.stopped);
+  if (result.stopped) line.truth("beforehand", result.beforehand).text("cause", result.cause);
   if (!result.held_by.empty()) line.text("held_by", result.held_by);
   return line.str();
 }
@@ -84,12 +86,13 @@ StopSummary summaryOf(const std::vector<StopResult>& faults,
                       const std::vector<AppearanceResult>& appearances, int false_stops) {
   const std::vector<double> zero = zeroTimes(faults, "");
   std::vector<double> appeared, up, resumed;
-  std::size_t stopped = 0;
+  std::size_t stopped = 0, commands_after = 0, contacts = 0;
   for (const AppearanceResult& a : appearances) {
     stopped += a.stopped ? 1 : 0;
-    if (a.stopped) continue;
-    appeared.push_back(a.to_zero);
-    resumed.push_back(a.resumed);
+    contacts += a.contacts;
+    commands_after += static_cast<std::size_t>(a.commands_after);
+    if (!a.beforehand) appeared.push_back(a.to_zero);
+    if (!a.stopped) resumed.push_back(a.resumed);
   }
   int moved = 0;
   for (const StopResult& result : faults) {
@@ -107,7 +110,7 @@ StopSummary summaryOf(const std::vector<StopResult>& faults,
   if (!appearances.empty()) {
     summary.pass = summary.pass && quantile(appeared, 0.99) <= kAppearanceP99 &&
                    quantile(appeared, 1.0) <= kAppearanceMost && quantile(appeared, 0.0) >= 0.0 &&
-                   quantile(resumed, 1.0) <= kResumeMost &&
+                   quantile(resumed, 1.0) <= kResumeMost && commands_after == 0 && contacts == 0 &&
                    kSpoilt * stopped < appearances.size() + kSpoilt;
   }
   line.truth("pass", summary.pass).whole("faults", faults.size());
@@ -115,6 +118,7 @@ StopSummary summaryOf(const std::vector<StopResult>& faults,
   line.whole("moved_before_rearming", moved).number("up_again_max", quantile(up, 1.0));
   line.whole("false_stops", false_stops).whole("appearances", appearances.size());
   line.whole("appearances_spoilt", stopped);
+  line.whole("appearance_commands_after", commands_after).whole("contacts", contacts);
   line.number("appearance_p50", quantile(appeared, 0.5));
   line.number("appearance_p99", quantile(appeared, 0.99));
   line.number("appearance_max", quantile(appeared, 1.0));

@@ -106,6 +106,7 @@ AppearanceResult tryAppearance(StopRig& rig, std::mt19937& random) {
     truth = watch.truthNow();
   } while (!(truth.speed > kDriving));
   result.speed = truth.speed;
+  const std::uint32_t contacts = watch.contacts();
   const double ahead = kFront + kGap + 0.5 * kStopWorldBoxEdge;
   const Eigen::Vector2d spot =
       advanced(truth.pose, {ahead, 0.0, ahead / kStopWorldCircle}, 1.0).position();
@@ -115,6 +116,8 @@ AppearanceResult tryAppearance(StopRig& rig, std::mt19937& random) {
   const double zero = watch.zeroFrom(placed);
   result.to_zero = zero - picture;
   result.from_place = zero - placed;
+  result.commands_after = watch.commandsFrom(zero);
+  result.beforehand = watch.stoppedFrom() < picture;
   watch.clear();
   const double away = steadyNow();
   place(kStopWorldBoxAway, kStopWorldBoxAway, 0.0);
@@ -126,6 +129,8 @@ AppearanceResult tryAppearance(StopRig& rig, std::mt19937& random) {
   });
   result.resumed = resumed ? steadyNow() - away : kNone;
   if (!resumed) result.held_by = holdOf(watch);
+  if (result.stopped) result.cause = watch.stateNow().text;
+  result.contacts = watch.contacts() - contacts;
   return result;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <random>
 #include <string>
 #include <vector>
@@ -25,12 +26,16 @@ StopResult tryFault(StopRig& rig, const StopFault& fault, std::mt19937& random);
 
 /// What came of an obstacle that appears.
 struct AppearanceResult {
-  bool stopped = false;     ///< the gate, which no obstacle stops: no figure means anything
+  bool stopped = false;     ///< the gate, which no obstacle stops: `resumed` means nothing
+  bool beforehand = false;  ///< and before the picture: `to_zero` means nothing either
+  std::string cause;        ///< of its stop, in the gate's words
   double to_zero = 0.0;     ///< from the depth picture's stamp to the zero command [s]; NaN: never
   double from_place = 0.0;  ///< the same from when it was put there [s]
-  double resumed = 0.0;     ///< from when it was taken away to the first command [s]; NaN: never
-  std::string held_by;      ///< where it did not resume: the gate's words, and the limit
-  double speed = 0.0;       ///< of the robot when it appeared [m/s]
+  int commands_after = 0;   ///< that were not zero, from that until the box was taken away
+  std::uint32_t contacts = 0;
+  double resumed = 0.0;  ///< from when it was taken away to the first command [s]; NaN: never
+  std::string held_by;   ///< where it did not resume: the gate's words, and the limit
+  double speed = 0.0;    ///< of the robot when it appeared [m/s]
 };
 
 /// Puts the box before the driving robot, and takes it away again.
