@@ -80,6 +80,9 @@ class Restart(unittest.TestCase):
         self.wait(lambda: self.states[-1].state == StopState.STOPPED, self.state)
         said = len(self.wishes)  # of another connection than the state: some may still be under way
         self.wait(lambda: len(self.wishes) > said + 25, lambda: 'no commands')
+        with self.changed:
+            late = self.wishes[said:]
+        self.assertFalse(any(late[3:]), late)
         stopped = time.monotonic()  # what was under way has come in
         self.forget()
         self.wait(lambda: not self.silent(stopped), lambda: 'did not come back: %s' % self.silent(stopped))
