@@ -55,14 +55,23 @@ class RefusedProcesses(unittest.TestCase):
 
     def test_launch_ends(self):
         """Said once, and the launch is over, although its manager is started again when it is killed."""
+        output = self.launch_of_a_bad_robot()
+        self.assertEqual(output.count('height is -0.75'), 1, output)
+
+    def test_launch_ends_in_somebody_elses_manager(self):
+        """Where a loader is refused, which nobody starts again."""
+        output = self.launch_of_a_bad_robot('manager:=manager', 'start_manager:=false')
+        self.assertIn('REQUIRED process', output)
+
+    def launch_of_a_bad_robot(self, *arguments):
         with open(robot_file()) as file:
             robot = file.read().replace('height: 0.75', 'height: -0.75')
         with tempfile.NamedTemporaryFile('w', suffix='.yaml') as bad:
             bad.write(robot)
             bad.flush()
-            output = launched('robot.launch', 'robot:=' + bad.name)
+            output = launched('robot.launch', 'robot:=' + bad.name, *arguments)
         rospy.delete_param('/robot')
-        self.assertEqual(output.count('height is -0.75'), 1, output)
+        return output
 
     def test_launch_ends_by_the_gate(self):
         """The same where it is the stop gate that refuses."""
