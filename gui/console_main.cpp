@@ -57,9 +57,12 @@ int main(int argc, char** argv) {
   auto& helm = *new Helm(robot->drive);
   auto& link = *new RosLink(arguments, state, &helm);
   const PanelContext context{
-      state, *robot,
+      state,
+      *robot,
       [&link](const std::string& method, bool calibrate) { link.askFloor(method, calibrate); },
-      &helm, [&link] { link.askArm(); }};
+      &helm,
+      [&link] { link.askArm(); },
+      [&link](const std::function<void(PlaceAsks&)>& ask) { link.askPlace(ask); }};
   const bool pictured = !options->screenshot.isEmpty();
   const bool watches_keys = QGuiApplication::platformName() == "xcb";
   std::unique_ptr<KeyWatcher> watcher;

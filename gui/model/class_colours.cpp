@@ -34,4 +34,36 @@ const char* className(CellClass cell_class) {
   return "unknown";
 }
 
+QRgb mapCellColour(MapCell cell) {
+  switch (cell) {
+    case MapCell::kFree:
+      return qRgb(0x2a, 0x3d, 0x4c);
+    case MapCell::kThreshold:
+      return qRgb(0xc9, 0xbf, 0x3a);
+    case MapCell::kOccupied:
+      return qRgb(0xc8, 0xd2, 0xdc);
+    case MapCell::kDropOff:
+      return qRgb(0xb0, 0x76, 0xe6);
+    case MapCell::kUnknown:
+      break;
+  }
+  return qRgba(0, 0, 0, 0);
+}
+
+const char* mapCellName(MapCell cell) {
+  switch (cell) {
+    case MapCell::kFree:
+      return "free";
+    case MapCell::kThreshold:
+      return "threshold";
+    case MapCell::kOccupied:
+      return "occupied";
+    case MapCell::kDropOff:
+      return "drop-off";
+    case MapCell::kUnknown:
+      break;
+  }
+  return "unknown";
+}
+
 }  // namespace pilothouse::gui

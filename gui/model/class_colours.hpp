@@ -3,6 +3,7 @@
 #include <QColor>
 
 #include "core/floor/floor_cells.hpp"
+#include "core/mapping/map_cells.hpp"
 
 namespace pilothouse::gui {
 
@@ -13,5 +14,9 @@ QRgb classColour(CellClass cell_class);
 constexpr QRgb kCalmObstacle = 0xff59636f;
 /// In words, for legends and readouts.
 const char* className(CellClass cell_class);
+
+/// The same for a cell of the map: what is there for long is calmer than what is seen now.
+QRgb mapCellColour(MapCell cell);
+const char* mapCellName(MapCell cell);
 
 }  // namespace pilothouse::gui

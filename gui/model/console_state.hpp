@@ -1,7 +1,6 @@
 #pragma once
 
 #include <map>
-#include <mutex>
 #include <optional>
 #include <set>
 #include <string>
@@ -9,36 +8,14 @@
 
 #include "gui/model/drive_readings.hpp"
 #include "gui/model/feed.hpp"
+#include "gui/model/guarded.hpp"
 #include "gui/model/pictures.hpp"
+#include "gui/model/place_state.hpp"
 #include "gui/model/robot_clock.hpp"
 #include "gui/model/situation.hpp"
 #include "gui/model/telemetry.hpp"
 
 namespace pilothouse::gui {
-
-/// A value written by one thread and read by others.
-template <class T>
-class Guarded {
- public:
-  void set(T value) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    value_ = std::move(value);
-  }
-  T get() const {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return value_;
-  }
-  /// Changes it in place; `change` must be short.
-  template <class Change>
-  void update(Change&& change) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    change(value_);
-  }
-
- private:
-  mutable std::mutex mutex_;
-  T value_{};
-};
 
 /// Where the camera stands on the robot by tf: in the base frame [m, rad].
 struct CameraPose {
@@ -73,6 +50,7 @@ struct ConsoleState {
   Guarded<std::map<std::string, WantedReading>> wanted;  ///< by its source: teleop, task
   Guarded<ContactsReading> contacts;
   Guarded<RouteReading> route;
+  PlaceState place;
   Guarded<Refusal> arming;                           ///< why the last arming failed
   Guarded<std::map<std::string, Refusal>> refusals;  ///< by topic
   RobotClock clock;

@@ -66,6 +66,9 @@ void ConversionThread::run() {
     convert(coded, state_.colour, [](const auto& image) { return colourFromCompressed(image); });
     convert(floor, state_.floor, [](const auto& grid) { return floorFromMessage(grid); });
     convert(objects, state_.objects, [](const auto& list) { return objectsFromMessage(list); });
+    convert(standing, state_.place.standing,
+            [](const auto& list) { return objectsFromMessage(list); });
+    convert(map, state_.place.map, [](const auto& grid) { return mapFromMessage(grid); });
   }
 }
 

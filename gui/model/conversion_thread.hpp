@@ -9,6 +9,7 @@
 
 #include "gui/model/console_state.hpp"
 #include "gui/model/conversions.hpp"
+#include "gui/model/conversions_place.hpp"
 
 namespace pilothouse::gui {
 
@@ -23,7 +24,8 @@ class ConversionThread {
   Mailbox<sensor_msgs::Image> colour;
   Mailbox<sensor_msgs::CompressedImage> coded;
   Mailbox<FloorGrid> floor;
-  Mailbox<ObjectList> objects;
+  Mailbox<ObjectList> objects, standing;
+  Mailbox<MapGrid> map;
   Guarded<boost::shared_ptr<const sensor_msgs::CameraInfo>> info;
   /// Whether the cloud stands in for the depth and for the colour picture.
   std::atomic<bool> cloud_as_depth{false}, cloud_as_colour{false};

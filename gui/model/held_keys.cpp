@@ -21,6 +21,13 @@ void HeldKeys::press(unsigned long code, double now) {
   *place = {code, true, true, false, -1e9};
 }
 
+void HeldKeys::pressSpent(unsigned long code, double now) {
+  press(code, now);
+  for (auto& key : keys_) {
+    if (key.used && key.code == code) key.spent = true;
+  }
+}
+
 void HeldKeys::release(unsigned long code, double now) {
   for (auto& key : keys_) {
     if (!key.used || key.code != code || !key.down) continue;

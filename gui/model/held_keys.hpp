@@ -13,6 +13,8 @@ class HeldKeys {
   static constexpr double kDebounce = 0.015;  ///< [s]
 
   void press(unsigned long key, double now);
+  /// Held down, but it counts only once it was let go and pressed anew.
+  void pressSpent(unsigned long key, double now);
   void release(unsigned long key, double now);
   /// What is held counts no more until it was let go and pressed anew: the window lost the focus, a
   /// stop was pressed. Releases that never arrive then do no harm.

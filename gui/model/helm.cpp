@@ -27,9 +27,19 @@ void Helm::release() {
 void Helm::press(KeyMeaning key) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    teleop_.press(key, steadySeconds());
+    const bool arrow = key.variant == 1 && key.meaning != DriveKey::kSlow;
+    if (arrow && arrows_aim_ && !teleop_.driving()) {
+      teleop_.pressElsewhere(key, steadySeconds());
+    } else {
+      teleop_.press(key, steadySeconds());
+    }
   }
   nudge();
+}
+
+bool Helm::arrowsAim() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return arrows_aim_ && !teleop_.driving();
 }
 
 void Helm::letGo(KeyMeaning key) {

@@ -62,6 +62,11 @@ class Helm {
   void release();
 
   void press(KeyMeaning key);
+  /// Arrow keys aim on the map. While somebody drives by hand they drive all the same, and an arrow
+  /// pressed to aim never begins to drive: it must be let go and pressed anew.
+  void setArrowsAim(bool on) { arrows_aim_ = on; }
+  /// Whether an arrow pressed now aims.
+  bool arrowsAim() const;
   void letGo(KeyMeaning key);
   void stick(std::optional<Twist2> deflection);
   void setCap(double cap);
@@ -96,6 +101,7 @@ class Helm {
   void nudge();
   HandsOff hindrance(double now) const;
 
+  std::atomic<bool> arrows_aim_{false};
   std::atomic<bool> stop_{false}, keys_drive_{true}, latched_{false};
   std::atomic<bool> active_{false}, focused_{true};
   std::atomic<double> window_at_{-1e9}, gate_at_{-1e9}, moves_at_{-1e9};

@@ -5,14 +5,30 @@
 
 namespace pilothouse::gui {
 
+MapView MapView::about(Axes axes, double scale) {
+  MapView view(axes);
+  view.size_ = {0.0, 0.0};
+  view.centre_ = {0.0, 0.0};
+  view.scale_ = scale;
+  return view;
+}
+
+QPointF MapView::turned(QPointF metres) const {
+  return axes_ == Axes::kForwardUp ? QPointF(-metres.y(), metres.x()) : metres;
+}
+
+QPointF MapView::turnedBack(QPointF right_up) const {
+  return axes_ == Axes::kForwardUp ? QPointF(right_up.y(), -right_up.x()) : right_up;
+}
+
 QPointF MapView::toPixel(double x_m, double y_m) const {
-  return {size_.width() * 0.5 - (y_m - centre_.y()) * scale_,
-          size_.height() * 0.5 - (x_m - centre_.x()) * scale_};
+  const QPointF off = turned(QPointF(x_m, y_m) - centre_);
+  return {size_.width() * 0.5 + off.x() * scale_, size_.height() * 0.5 - off.y() * scale_};
 }
 
 QPointF MapView::toMetres(QPointF pixel) const {
-  return {centre_.x() - (pixel.y() - size_.height() * 0.5) / scale_,
-          centre_.y() - (pixel.x() - size_.width() * 0.5) / scale_};
+  return centre_ + turnedBack({(pixel.x() - size_.width() * 0.5) / scale_,
+                               (size_.height() * 0.5 - pixel.y()) / scale_});
 }
 
 void MapView::zoomAbout(QPointF pixel, double factor) {
@@ -23,19 +39,20 @@ void MapView::zoomAbout(QPointF pixel, double factor) {
 }
 
 void MapView::panBy(QPointF pixels) {
-  centre_ += QPointF(pixels.y(), pixels.x()) / scale_;
+  centre_ -= turnedBack({pixels.x() / scale_, -pixels.y() / scale_});
 }
 
 void MapView::fit(QRectF metres, QPointF left_top, QPointF right_bottom) {
   const double room_x = std::max(20.0, size_.width() - left_top.x() - right_bottom.x());
   const double room_y = std::max(20.0, size_.height() - left_top.y() - right_bottom.y());
-  // x of the base frame runs up the widget, y across it.
-  scale_ = std::clamp(
-      std::min(room_y / std::max(0.1, metres.width()), room_x / std::max(0.1, metres.height())),
-      kLeastScale, kMostScale);
+  const bool forward_up = axes_ == Axes::kForwardUp;
+  const double wide = forward_up ? metres.height() : metres.width();
+  const double high = forward_up ? metres.width() : metres.height();
+  scale_ = std::clamp(std::min(room_y / std::max(0.1, high), room_x / std::max(0.1, wide)),
+                      kLeastScale, kMostScale);
   const QPointF off((right_bottom.x() - left_top.x()) * 0.5,
                     (right_bottom.y() - left_top.y()) * 0.5);
-  centre_ = metres.center() - QPointF(off.y(), off.x()) / scale_;
+  centre_ = metres.center() + turnedBack({off.x() / scale_, -off.y() / scale_});
 }
 
 double roundLength(double pixels, double pixels_per_metre) {

@@ -9,6 +9,7 @@
 #include "gui/model/clock.hpp"
 #include "gui/model/helm_topics.hpp"
 #include "gui/model/master.hpp"
+#include "gui/model/place_errands.hpp"
 #include "gui/model/ros_streams.hpp"
 
 namespace pilothouse::gui {
@@ -58,6 +59,13 @@ void RosLink::askArm() {
   wish([](RosStreams& streams) { streams.drive().arm(); });
 }
 
+void RosLink::askPlace(const std::function<void(PlaceAsks&)>& ask) {
+  if (const auto errands = errands_.get()) return ask(*errands);
+  state_.place.answer.update([](AskAnswer& newest) {
+    newest = {newest.serial + 1, false, "no connection to the robot", steadySeconds()};
+  });
+}
+
 void RosLink::pause(double seconds) {
   std::unique_lock<std::mutex> lock(mutex_);
   wake_.wait_for(lock, std::chrono::duration<double>(seconds),
@@ -101,6 +109,7 @@ void RosLink::run() {
     }
     pause(connectedStep() ? 0.5 : 1.0);
   }
+  errands_.set(nullptr);
   streams_.reset();
   if (helm_) helm_->connect(nullptr);
   if (ros::isStarted()) ros::shutdown();
@@ -118,12 +127,14 @@ bool RosLink::connectedStep() {
   }
   if (id != master_id_) {
     // A new master knows nothing of us: end the old subscriptions and make them again.
+    errands_.set(nullptr);
     streams_.reset();
     if (helm_) helm_->connect(nullptr);
     // Started here and not by a first NodeHandle: the last handle to go would shut ROS down.
     if (!ros::isStarted()) ros::start();
     streams_ = std::make_unique<RosStreams>(state_, helm_);
     if (helm_) helm_->connect(std::make_shared<HelmTopics>(state_.clock));
+    errands_.set(std::make_shared<PlaceErrands>(state_));
     master_id_ = id;
   }
   setPhase(LinkPhase::kConnected, round_trip_ms);

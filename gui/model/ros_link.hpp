@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "gui/model/console_state.hpp"
+#include "gui/model/place_asks.hpp"
 
 namespace pilothouse::gui {
 
@@ -36,6 +37,9 @@ class RosLink {
   void askFloor(const std::string& method, bool calibrate);
   /// Asks the stop gate to let the robot drive again; a refusal comes in state.arming.
   void askArm();
+  /// What the operator asks about the place. The action runs with the connection's errands; without
+  /// a connection the answer says so.
+  void askPlace(const std::function<void(PlaceAsks&)>& ask);
 
  private:
   void run();
@@ -49,6 +53,7 @@ class RosLink {
   ConsoleState& state_;
   Helm* helm_;
   std::unique_ptr<RosStreams> streams_;
+  Guarded<std::shared_ptr<PlaceAsks>> errands_;
   std::thread thread_;
   std::mutex mutex_;
   std::condition_variable wake_;

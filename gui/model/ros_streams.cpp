@@ -34,6 +34,7 @@ RosStreams::RosStreams(ConsoleState& state, Helm* helm)
       node_(onQueue(queue_)),
       conversions_(state),
       drive_(node_, state, helm),
+      place_(node_, state, conversions_, transforms_),
       began_(steadySeconds()),
       spinner_(1, &queue_) {
   listener_ = std::make_unique<tf2_ros::TransformListener>(transforms_, node_, false);
@@ -41,8 +42,8 @@ RosStreams::RosStreams(ConsoleState& state, Helm* helm)
   for (const char* topic :
        {"camera/depth/image_rect", "camera/depth/camera_info", "camera/depth/points",
         "camera/rgb/image_rect_color", "camera/rgb/image_rect_color/compressed", "floor_grid",
-        "objects/camera", "objects/merged", "objects/filtered", "speed_limit", "stop_state",
-        "odom"}) {
+        "objects/camera", "objects/merged", "objects/filtered", "speed_limit", "stop_state", "odom",
+        "map_cells", "pose", "plan_path", "task_state"}) {
     names[topic] = node_.resolveName(topic);
   }
   state_.names.set(names);

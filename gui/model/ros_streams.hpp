@@ -15,6 +15,7 @@
 #include "gui/model/conversion_thread.hpp"
 #include "gui/model/diagnostics_board.hpp"
 #include "gui/model/drive_streams.hpp"
+#include "gui/model/place_streams.hpp"
 
 namespace pilothouse::gui {
 
@@ -55,6 +56,7 @@ class RosStreams {
   std::unique_ptr<tf2_ros::TransformListener> listener_;
   ros::Subscriber depth_, info_, cloud_, colour_, coded_, floor_, objects_, complaints_, settings_;
   DriveStreams drive_;
+  PlaceStreams place_;
   double began_;
   ros::AsyncSpinner spinner_;
 };

@@ -21,6 +21,10 @@ void Teleop::press(KeyMeaning key, double now) {
   keys_.press(codeOf(key), now);
 }
 
+void Teleop::pressElsewhere(KeyMeaning key, double now) {
+  keys_.pressSpent(codeOf(key), now);
+}
+
 void Teleop::release(KeyMeaning key, double now) {
   keys_.release(codeOf(key), now);
 }

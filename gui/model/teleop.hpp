@@ -47,6 +47,8 @@ class Teleop {
   explicit Teleop(const BaseParameters& base) : base_(base) {}
 
   void press(KeyMeaning key, double now);
+  /// Pressed for something else than driving: as long as it is held it means nothing here.
+  void pressElsewhere(KeyMeaning key, double now);
   void release(KeyMeaning key, double now);
   /// Deflection of the on-screen stick, each -1..1 of the cap; absent: let go.
   void stick(std::optional<Twist2> deflection);

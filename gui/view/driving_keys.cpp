@@ -78,6 +78,7 @@ void DrivingKeys::review() {
 bool DrivingKeys::key(QKeyEvent& event, bool pressed) {
   if (event.key() == Qt::Key_Space || event.key() == Qt::Key_Escape) {
     if (pressed) helm_.stop();
+    if (pressed && event.key() == Qt::Key_Escape && keysDrive()) emit aimed(event.key(), {});
     // Escape goes on to close what it usually closes.
     return event.key() == Qt::Key_Space;
   }
@@ -91,7 +92,9 @@ bool DrivingKeys::key(QKeyEvent& event, bool pressed) {
   if (!keysDrive() ||
       (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)))
     return false;
+  const bool aims = meaning->variant == 1 && helm_.arrowsAim();
   if (!watched_ && !event.isAutoRepeat()) helm_.press(*meaning);
+  if (aims) emit aimed(event.key(), event.modifiers());
   return true;
 }
 

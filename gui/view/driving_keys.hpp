@@ -20,6 +20,10 @@ class DrivingKeys : public QObject {
   /// Focus, dialogs and fields as they are now; also a sign of life of the GUI thread.
   void review();
 
+ signals:
+  /// An arrow key pressed to aim, or Escape, which stops and takes back.
+  void aimed(int key, Qt::KeyboardModifiers modifiers);
+
  protected:
   bool eventFilter(QObject* object, QEvent* event) override;
 

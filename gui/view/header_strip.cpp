@@ -1,5 +1,6 @@
 #include "gui/view/header_strip.hpp"
 
+#include <QLayout>
 #include <QPainter>
 #include <QToolButton>
 
@@ -90,8 +91,16 @@ void HeaderStrip::placeControl() {
   const int left =
       theme::kSpace + 4 + QFontMetrics(theme::titleFont()).horizontalAdvance(title_) + 16;
   control_->setGeometry(left, (height() - size.height()) / 2, size.width(), size.height());
-  // Where the strip is short, the figures matter more.
-  control_->setVisible(left + size.width() + kFiguresWidth <= width());
+  // Where the strip is short, the figures matter more, or of them at least the buttons' room.
+  const int beside = control_needed_ ? 2 * kButton + 14 : kFiguresWidth;
+  control_->setVisible(left + size.width() + beside <= width());
+}
+
+void HeaderStrip::controlChanged(bool needed) {
+  control_needed_ = needed;
+  if (control_ && control_->layout()) control_->layout()->activate();
+  placeControl();
+  update();
 }
 
 QSize HeaderStrip::sizeHint() const {

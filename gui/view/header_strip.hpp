@@ -21,6 +21,9 @@ class HeaderStrip : public QWidget {
   void withoutFigures() { has_figures_ = false; }
   /// Places a control after the title; the strip owns it.
   void addControl(QWidget* control);
+  /// What the control holds is another: its size too. @param needed it matters more than the
+  /// figures where the strip is short.
+  void controlChanged(bool needed);
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
   /// The figures in words, e.g. "5.0 Hz  age 0.1 s  0 dropped" (also for tests and tool tips).
@@ -41,6 +44,7 @@ class HeaderStrip : public QWidget {
   QToolButton* close_;
   QToolButton* float_;
   QWidget* control_ = nullptr;
+  bool control_needed_ = false;
   void placeControl();
   void paintFigures(QPainter& painter, int title_end) const;
 };

@@ -19,6 +19,7 @@
 #include "gui/view/header_strip.hpp"
 #include "gui/view/help.hpp"
 #include "gui/view/status_line.hpp"
+#include "gui/view/task_bar.hpp"
 #include "gui/view/theme.hpp"
 
 namespace pilothouse::gui {
@@ -41,6 +42,7 @@ MainWindow::MainWindow(const PanelContext& context, bool remember, bool keys_wat
   const QSize usual(1280, 800);
   resize(remember ? usual.boundedTo(QGuiApplication::primaryScreen()->availableSize()) : usual);
   if (context.helm) addDriveBar(keys_watched);
+  if (context.ask_place) addTaskBar();
   for (const auto& entry : panelRegistry()) addPanel(entry);
   auto* bar = new QStatusBar;
   bar->setSizeGripEnabled(false);
@@ -48,6 +50,13 @@ MainWindow::MainWindow(const PanelContext& context, bool remember, bool keys_wat
   bar->addPermanentWidget(status_, 1);
   setStatusBar(bar);
   buildMenus();
+  if (keys_) {
+    connect(keys_, &DrivingKeys::aimed, this, [this](int key, Qt::KeyboardModifiers modifiers) {
+      for (const auto& shown : panels_) {
+        if (shown.panel) shown.panel->aimed(key, modifiers);
+      }
+    });
+  }
   resetLayout();
   if (remember_) restoreGeometry(QSettings().value("window/geometry").toByteArray());
   pictures_->setTimerType(Qt::PreciseTimer);
@@ -70,6 +79,21 @@ void MainWindow::addDriveBar(bool keys_watched) {
   tools->toggleViewAction()->setVisible(false);
   tools->setContextMenuPolicy(Qt::PreventContextMenu);
   addToolBar(Qt::TopToolBarArea, tools);
+}
+
+// Only where a navigator is heard of: a camera alone has no tasks.
+void MainWindow::addTaskBar() {
+  task_bar_ = new TaskBar(context_);
+  task_row_ = new QToolBar(tr("Task"));
+  task_row_->setObjectName("task_bar");
+  task_row_->setMovable(false);
+  task_row_->setFloatable(false);
+  task_row_->addWidget(task_bar_);
+  task_row_->toggleViewAction()->setVisible(false);
+  task_row_->setContextMenuPolicy(Qt::PreventContextMenu);
+  addToolBarBreak(Qt::TopToolBarArea);
+  addToolBar(Qt::TopToolBarArea, task_row_);
+  task_row_->setVisible(false);
 }
 
 void MainWindow::addPanel(const PanelEntry& entry) {
@@ -178,6 +202,10 @@ void MainWindow::buildMenus() {
   auto* reset = view->addAction(tr("Reset the layout"), this, &MainWindow::resetLayout);
   reset->setShortcut(QKeySequence("Ctrl+0"));
 
+  if (task_bar_) {
+    auto* task = menuBar()->addMenu(tr("Task"));
+    for (auto* action : task_bar_->menuActions()) task->addAction(action);
+  }
   for (const auto& shown : panels_) {
     const auto actions = shown.panel ? shown.panel->menuActions() : QVector<QAction*>();
     if (actions.isEmpty()) continue;
@@ -212,6 +240,10 @@ void MainWindow::refreshNumbers() {
     if (shown.panel) shown.panel->refreshNumbers(now);
   }
   if (bar_) bar_->refresh(now);
+  if (task_bar_) {
+    task_bar_->refresh(now);
+    task_row_->setVisible(task_bar_->wanted());
+  }
   status_->show(situationOf(context_.state, context_.robot.name, now));
 }
 

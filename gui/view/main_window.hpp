@@ -6,11 +6,13 @@
 #include "gui/view/panel_registry.hpp"
 
 class QDockWidget;
+class QToolBar;
 class QTimer;
 
 namespace pilothouse::gui {
 
 class DriveBar;
+class TaskBar;
 class DrivingKeys;
 class StatusLine;
 
@@ -28,6 +30,7 @@ class MainWindow : public QMainWindow {
   StatusLine* statusLine() const { return status_; }
   /// Null without a helm.
   DriveBar* driveBar() const { return bar_; }
+  TaskBar* taskBar() const { return task_bar_; }
   /// One round of what the timers do (tests and screenshots).
   void refreshNow();
 
@@ -49,6 +52,7 @@ class MainWindow : public QMainWindow {
   };
   void addPanel(const PanelEntry& entry);
   void addDriveBar(bool keys_watched);
+  void addTaskBar();
   void buildMenus();
   void shareOut();
   void refreshPictures();
@@ -59,6 +63,8 @@ class MainWindow : public QMainWindow {
   QVector<Shown> panels_;
   StatusLine* status_;
   DriveBar* bar_ = nullptr;
+  TaskBar* task_bar_ = nullptr;
+  QToolBar* task_row_ = nullptr;
   DrivingKeys* keys_ = nullptr;
   QTimer* pictures_;
   QTimer* numbers_;

@@ -31,17 +31,22 @@ QColor robotColour() {
 
 void paintGrid(QPainter& painter, const MapView& view, QSizeF size) {
   const double step = roundLength(70.0, view.scale());
-  const QPointF top_left = view.toMetres({0, 0});
-  const QPointF bottom_right = view.toMetres({size.width(), size.height()});
+  const QRectF seen =
+      QRectF(view.toMetres({0, 0}), view.toMetres({size.width(), size.height()})).normalized();
+  const auto line = [&](QPointF from, QPointF to) {
+    const auto on = [&](QPointF metres) {
+      const QPointF pixel = view.toPixel(metres.x(), metres.y());
+      return QPointF(std::round(pixel.x()), std::round(pixel.y()));
+    };
+    painter.drawLine(on(from), on(to));
+  };
   painter.setRenderHint(QPainter::Antialiasing, false);
   painter.setPen(QPen(kGridLine, 1));
-  for (double x = std::ceil(bottom_right.x() / step) * step; x < top_left.x(); x += step) {
-    const double py = std::round(view.toPixel(x, 0).y());
-    painter.drawLine(QPointF(0, py), QPointF(size.width(), py));
+  for (double x = std::ceil(seen.left() / step) * step; x < seen.right(); x += step) {
+    line({x, seen.top()}, {x, seen.bottom()});
   }
-  for (double y = std::ceil(bottom_right.y() / step) * step; y < top_left.y(); y += step) {
-    const double px = std::round(view.toPixel(0, y).x());
-    painter.drawLine(QPointF(px, 0), QPointF(px, size.height()));
+  for (double y = std::ceil(seen.top() / step) * step; y < seen.bottom(); y += step) {
+    line({seen.left(), y}, {seen.right(), y});
   }
 }
 

@@ -12,6 +12,7 @@ class QAction;
 namespace pilothouse::gui {
 
 class Helm;
+class PlaceAsks;
 
 /// What a panel may use. All of it outlives the panels.
 struct PanelContext {
@@ -21,6 +22,8 @@ struct PanelContext {
   std::function<void(const std::string&, bool)> ask_floor;
   Helm* helm = nullptr;                     ///< null: a window that only watches
   std::function<void()> ask_arm = nullptr;  ///< asks the stop gate to let the robot drive again
+  /// Runs an ask about the place at the robot's side; null: a window that only watches.
+  std::function<void(const std::function<void(PlaceAsks&)>&)> ask_place = nullptr;
 };
 
 /// One dock of the console. Each panel is one class in one file of view/panels that registers
@@ -39,6 +42,9 @@ class Panel : public QWidget {
   virtual void refreshNumbers(double now) = 0;
   /// Shows fresh data: a screenshot with --when-complete waits for every panel.
   virtual bool complete() const = 0;
+  /// An arrow key that aims, or Escape, which has stopped the robot and takes back what is not
+  /// sent.
+  virtual void aimed(int /*key*/, Qt::KeyboardModifiers /*modifiers*/) {}
   /// Shown in the dock's title bar; owned by the panel's caller once taken. Null: a plain title.
   virtual QWidget* titleStrip() { return nullptr; }
   /// Entries of a menu of its own, with their keys; none: no menu.

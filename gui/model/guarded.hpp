@@ -1,0 +1,32 @@
+#pragma once
+
+#include <mutex>
+#include <utility>
+
+namespace pilothouse::gui {
+
+/// A value written by one thread and read by others.
+template <class T>
+class Guarded {
+ public:
+  void set(T value) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    value_ = std::move(value);
+  }
+  T get() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return value_;
+  }
+  /// Changes it in place; `change` must be short.
+  template <class Change>
+  void update(Change&& change) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    change(value_);
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  T value_{};
+};
+
+}  // namespace pilothouse::gui

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <memory>
+#include <string>
+
+#include "gui/model/console_state.hpp"
+#include "gui/model/place_asks.hpp"
+
+namespace pilothouse::gui {
+
+/// Runs what the operator asks about the place on a thread of its own: a planner that hangs delays
+/// neither the window nor arming. Goals go out on move_base_simple/goal, poses on initialpose; the
+/// rest are services of the navigator. Answers come into state.place.
+class PlaceErrands : public PlaceAsks {
+ public:
+  /// On the link thread: advertising asks the master.
+  explicit PlaceErrands(ConsoleState& state);
+  /// An errand that hangs is left behind, and what it brings is thrown away.
+  ~PlaceErrands() override;
+
+  void preview(std::uint32_t id, const PlaceGoal& goal) override;
+  void goTo(const PlaceGoal& goal) override;
+  void setPose(const Pose2& pose, const PoseSpread& spread) override;
+  void driveRoute(const RouteDraft& draft) override;
+  void saveRoute(const RouteDraft& draft) override;
+  void loadRoute(const std::string& name) override;
+  void task(TaskCall call) override;
+
+ private:
+  struct Desk;
+  std::shared_ptr<Desk> desk_;
+};
+
+}  // namespace pilothouse::gui

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <memory>
+
+#include "gui/model/feed.hpp"
+#include "gui/model/guarded.hpp"
+#include "gui/model/pictures.hpp"
+#include "gui/model/place_asks.hpp"
+
+namespace pilothouse::gui {
+
+/// What the console knows of the place, and the answers to what it asked.
+struct PlaceState {
+  Feed<MapPicture> map;
+  Feed<ObjectsPicture> standing;  ///< objects that stay, in the map's frame
+  Feed<PoseReading> pose;
+  Feed<NavigationReading> navigation;
+  Feed<TaskReading> task;
+  Guarded<std::shared_ptr<const PathReading>> path;  ///< that the robot drives; null or empty: none
+  Guarded<std::shared_ptr<const Preview>> preview;   ///< newest answer
+  Guarded<std::shared_ptr<const RouteShelf>> shelf;  ///< newest answer
+  Guarded<AskAnswer> answer;
+  Guarded<AskUnderWay> asking;
+};
+
+}  // namespace pilothouse::gui

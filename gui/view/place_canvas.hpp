@@ -1,0 +1,109 @@
+#pragma once
+
+#include <QWidget>
+#include <bitset>
+#include <memory>
+#include <optional>
+
+#include "doors/robot_description.hpp"
+#include "gui/model/place_state.hpp"
+#include "gui/view/legend.hpp"
+#include "gui/view/map_drive.hpp"
+#include "gui/view/overlay.hpp"
+#include "gui/view/place_layers.hpp"
+
+namespace pilothouse::gui {
+
+class MapTool;
+
+/// What the map can show, from below.
+enum class PlaceLayer { kMap, kFloor, kStanding, kObjects, kTrail, kPath, kRobot };
+constexpr std::size_t kPlaceLayers = 7;
+constexpr double kWordsHeight = 46.0;  ///< of a tool's words at the top of the map [px]
+
+/// What is drawn. Pictures are shared and never change.
+struct PlaceScene {
+  std::shared_ptr<const MapPicture> map;
+  std::shared_ptr<const FloorPicture> floor;       ///< null: none, or too old
+  std::shared_ptr<const ObjectsPicture> objects;   ///< in the robot's frame; null: too old
+  std::shared_ptr<const ObjectsPicture> standing;  ///< in the map's
+  std::shared_ptr<const PathReading> path;
+  std::shared_ptr<const PoseReading> pose;
+  std::shared_ptr<const NavigationReading> under_way;  ///< null: nothing is driven to
+  DriveOverlay drive;
+  bool judged = false;  ///< the objects tell whether they are in the way
+  FeedState pose_state;
+  EmptyWords words;     ///< for a map without anything
+  std::string refused;  ///< why the newest map was; empty: it was not
+};
+
+/// The map that stays in place: x right, y up, the robot moves on it. Wheel zooms about the cursor,
+/// dragging pans; with a tool the left button is the tool's.
+class PlaceCanvas : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit PlaceCanvas(const RobotDescription& robot, QWidget* parent = nullptr);
+
+  void show(PlaceScene scene);
+  const PlaceScene& scene() const { return scene_; }
+  void setLayer(PlaceLayer layer, bool on);
+  bool layer(PlaceLayer layer) const { return layers_[static_cast<std::size_t>(layer)]; }
+  /// @param tool null: none; must outlive the canvas or be taken away.
+  void setTool(MapTool* tool);
+  /// The robot stays in the middle.
+  void setFollow(bool on);
+  bool follows() const { return follow_; }
+  const MapView& view() const { return view_; }
+  const Trail& trail() const { return trail_; }
+  /// Place and class under the cursor; empty when it is elsewhere.
+  QString readoutText() const;
+  /// Where a tool begins: the middle of what is seen.
+  Eigen::Vector2d middle() const;
+  /// An arrow key: the tool's cross moves by so many steps.
+  void nudge(int right, int up, bool fine);
+
+ public slots:
+  void fit();
+  void zoomIn();
+  void zoomOut();
+  void pan(QPoint pixels);
+
+ signals:
+  void takenBack();      ///< the right button
+  void followChanged();  ///< by a drag
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+
+ private:
+  Eigen::Vector2d metresAt(QPointF pixel) const;
+  double reach(double pixels) const { return pixels / view_.scale(); }
+  void paintScene(QPainter& painter);
+  void paintRobotAt(QPainter& painter);
+  void paintWords(QPainter& painter);
+  void paintSigns(QPainter& painter);
+  QVector<LegendEntry> legend() const;
+
+  RobotDescription robot_;
+  Footprint outline_;
+  MapView view_{MapView::Axes::kEastRight};
+  PlaceScene scene_;
+  Trail trail_;
+  std::bitset<kPlaceLayers> layers_;
+  MapTool* tool_ = nullptr;
+  std::optional<QPointF> cursor_;
+  QPointF dragged_from_;
+  bool panning_ = false, panned_ = false, aiming_ = false;
+  bool fitted_ = true;  ///< follow the map's size until the operator zooms or drags
+  bool follow_ = false;
+};
+
+}  // namespace pilothouse::gui

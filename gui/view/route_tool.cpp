@@ -1,0 +1,234 @@
+#include "gui/view/route_tool.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace pilothouse::gui {
+
+namespace {
+constexpr double kTurn = 15.0 / 57.29577951308232;  // rad a key
+constexpr double kSamePlace = 0.02;                 // m
+// Steps that grow into one, by the point they are about.
+constexpr int kMoves = 10000, kTurns = 20000, kPauses = 30000;
+}  // namespace
+
+RouteTool::RouteTool(const PlaceState& state, AskPlace ask, Footprint outline, double speed)
+    : state_(state), ask_(std::move(ask)), outline_(std::move(outline)), speed_(speed) {
+  const auto shelf = state_.shelf.get();
+  if (shelf) shelf_ = shelf->serial;
+  connect(&history_, &RouteHistory::changed, this, [this] {
+    if (selected_ && *selected_ >= draft().points.size()) selected_.reset();
+    emit changed();
+  });
+}
+
+void RouteTool::select(std::optional<std::size_t> index) {
+  selected_ = index && *index < draft().points.size() ? index : std::nullopt;
+  if (selected_) cross_ = draft().points[*selected_].goal.place;
+  emit changed();
+}
+
+// On a point: takes it. On a leg: a new point within the leg. Elsewhere: a new point at the end.
+void RouteTool::press(Eigen::Vector2d at, double reach) {
+  pressed_ = at;
+  turning_ = false;
+  if (const auto hit = pointAt(draft(), at, reach)) return select(hit);
+  const std::size_t before = legAt(draft(), at, 0.6 * reach).value_or(draft().points.size());
+  history_.step(withPoint(draft(), before, {{at, std::nullopt}, 0.0}), tr("add a point"));
+  select(before);
+  turning_ = true;
+}
+
+void RouteTool::drag(Eigen::Vector2d at, double reach) {
+  if (!selected_) return;
+  if (turning_) {
+    if ((at - pressed_).norm() <= reach) return;
+    const Eigen::Vector2d way = at - pressed_;
+    history_.step(withHeading(draft(), *selected_, std::atan2(way.y(), way.x())),
+                  tr("turn point %1").arg(*selected_ + 1), kTurns + static_cast<int>(*selected_));
+    return;
+  }
+  if (!dragged_to_ && (at - pressed_).norm() < 0.3 * reach) return;
+  dragged_to_ = at;
+}
+
+void RouteTool::release() {
+  if (dragged_to_ && selected_) {
+    history_.step(withPlace(draft(), *selected_, *dragged_to_),
+                  tr("move point %1").arg(*selected_ + 1));
+    cross_ = *dragged_to_;
+  }
+  dragged_to_.reset();
+  turning_ = false;
+}
+
+RouteDraft RouteTool::shown() const {
+  return dragged_to_ && selected_ ? withPlace(draft(), *selected_, *dragged_to_) : draft();
+}
+
+void RouteTool::nudge(Eigen::Vector2d by) {
+  cross_ += by;
+  if (!selected_) return;
+  history_.step(withPlace(draft(), *selected_, cross_), tr("move point %1").arg(*selected_ + 1),
+                kMoves + static_cast<int>(*selected_));
+}
+
+// After the selected point; without one at the end.
+void RouteTool::insertAtCross() {
+  const std::size_t before = selected_ ? *selected_ + 1 : draft().points.size();
+  history_.step(withPoint(draft(), before, {{cross_, std::nullopt}, 0.0}), tr("add a point"));
+  select(before);
+}
+
+void RouteTool::turn(double by) {
+  if (!selected_) return;
+  const double heading = draft().points[*selected_].goal.heading.value_or(0.0);
+  history_.step(withHeading(draft(), *selected_, wrapped(heading + by)),
+                tr("turn point %1").arg(*selected_ + 1), kTurns + static_cast<int>(*selected_));
+}
+
+void RouteTool::order(int by) {
+  if (!selected_) return;
+  const RouteDraft after = withOrder(draft(), *selected_, by);
+  if (after == draft()) return;
+  const std::size_t to = by < 0 ? *selected_ - 1 : *selected_ + 1;
+  history_.step(after, tr("order of point %1").arg(*selected_ + 1));
+  select(to);
+}
+
+void RouteTool::setPause(double seconds) {
+  if (!selected_) return;
+  history_.step(withPause(draft(), *selected_, seconds),
+                tr("pause at point %1").arg(*selected_ + 1),
+                kPauses + static_cast<int>(*selected_));
+}
+
+void RouteTool::setLoop(bool loop) {
+  history_.step(withLoop(draft(), loop), loop ? tr("loop") : tr("no loop"));
+}
+
+void RouteTool::setName(const std::string& name) {
+  history_.setName(name);
+  emit changed();
+}
+
+void RouteTool::save() {
+  if (ask_) ask_([&](PlaceAsks& asks) { asks.saveRoute(draft()); });
+}
+
+void RouteTool::load(const std::string& name) {
+  if (ask_) ask_([&](PlaceAsks& asks) { asks.loadRoute(name); });
+}
+
+void RouteTool::send() {
+  if (faultOf(draft()).empty() && ask_) ask_([&](PlaceAsks& asks) { asks.driveRoute(draft()); });
+}
+
+void RouteTool::key(ToolKey key) {
+  const std::size_t count = draft().points.size();
+  switch (key) {
+    case ToolKey::kEnter:
+      return send();
+    case ToolKey::kTakeBack:
+      return select(std::nullopt);
+    case ToolKey::kTurnLeft:
+      return turn(kTurn);
+    case ToolKey::kTurnRight:
+      return turn(-kTurn);
+    case ToolKey::kAnyHeading:
+      if (selected_) {
+        history_.step(withHeading(draft(), *selected_, std::nullopt),
+                      tr("any heading at point %1").arg(*selected_ + 1));
+      }
+      return;
+    case ToolKey::kLess:
+      return select(count == 0 ? 0 : selected_ ? (*selected_ + count - 1) % count : count - 1);
+    case ToolKey::kMore:
+      return select(count == 0 ? 0 : selected_ ? (*selected_ + 1) % count : 0);
+    case ToolKey::kRemove:
+      if (selected_) {
+        const std::size_t index = *selected_;
+        history_.step(withoutPoint(draft(), index), tr("remove point %1").arg(index + 1));
+        if (!draft().empty()) select(std::min(index, draft().points.size() - 1));
+      }
+      return;
+    case ToolKey::kInsert:
+      return insertAtCross();
+    case ToolKey::kEarlier:
+      return order(-1);
+    case ToolKey::kLater:
+      return order(1);
+    case ToolKey::kLoop:
+      return setLoop(!draft().loop);
+    case ToolKey::kUndo:
+      return history_.stack().undo();
+    case ToolKey::kRedo:
+      return history_.stack().redo();
+    case ToolKey::kSave:
+      return save();
+    case ToolKey::kLoad:
+      emit loadWanted();
+      return;
+    case ToolKey::kNearest:
+      return;
+  }
+}
+
+std::optional<std::size_t> RouteTool::underWay() const {
+  const auto navigation = state_.navigation.latest();
+  const auto task = state_.task.latest();
+  if (!navigation || !task || task->behaviour != "route") return std::nullopt;
+  if (task->phase != TaskPhase::kRunning && task->phase != TaskPhase::kPaused) return std::nullopt;
+  const std::size_t index = navigation->point;
+  if (navigation->points != draft().points.size() || index >= draft().points.size()) {
+    return std::nullopt;
+  }
+  const bool same = (draft().points[index].goal.place - navigation->goal).norm() < kSamePlace;
+  return same ? std::optional(index) : std::nullopt;
+}
+
+bool RouteTool::refresh(double) {
+  const auto shelf = state_.shelf.get();
+  if (shelf && shelf->serial != shelf_) {
+    shelf_ = shelf->serial;
+    if (shelf->route) {
+      history_.step(*shelf->route, tr("load %1").arg(QString::fromStdString(shelf->route->name)));
+      history_.setName(shelf->route->name);
+      selected_.reset();
+    }
+    emit changed();
+  }
+  const auto index = underWay();
+  if (index == under_way_) return false;
+  under_way_ = index;
+  emit changed();
+  return true;
+}
+
+AimWords RouteTool::words() {
+  if (draft().empty()) {
+    return {Severity::kNote, "Route: click for a point, drag for its heading",
+            "or move the cross with the arrow keys, Insert puts a point there; Ctrl+O loads"};
+  }
+  AimWords words;
+  const std::string fault = faultOf(draft());
+  const std::size_t count = draft().points.size();
+  words.severity = fault.empty() ? Severity::kGood : Severity::kWarning;
+  words.headline = std::to_string(count) + (count == 1 ? " point, " : " points, ") +
+                   lengthWords(draft().length()) + " straight, about " +
+                   timeWords(draft().length() / speed_) + (draft().loop ? ", over and over" : "");
+  if (!fault.empty()) words.headline = fault;
+  words.advice = selected_ ? "Arrows or a drag move it, , . turn it, Delete removes it; Enter sends"
+                           : "[ and ] choose a point, a click on a leg inserts one; Enter sends";
+  return words;
+}
+
+void RouteTool::begin(Eigen::Vector2d at) {
+  if (!selected_) cross_ = at;
+}
+
+void RouteTool::end() {
+  dragged_to_.reset();
+}
+
+}  // namespace pilothouse::gui
