@@ -1,15 +1,13 @@
 #include <diagnostic_updater/diagnostic_updater.h>
 #include <nodelet/nodelet.h>
 #include <pilothouse/RouteState.h>
-#include <tf2_ros/transform_listener.h>
-#include <iomanip>
 #include <pluginlib/class_list_macros.hpp>
-#include <sstream>
 
 #include "doors/guarded_subscriber.hpp"
 #include "doors/motion_views.hpp"
 #include "doors/robot_description.hpp"
 #include "doors/steady_clock.hpp"
+#include "nodelets/base_pose.hpp"
 #include "nodelets/executor_holds.hpp"
 #include "nodelets/input_health.hpp"
 #include "nodelets/wheel_commands.hpp"
@@ -31,14 +29,9 @@ class MotionExecutorNodelet : public nodelet::Nodelet {
         std::make_unique<diagnostic_updater::Updater>(handle, getPrivateNodeHandle(), getName());
     diagnostics_->setHardwareID("none");
 
-    subscribe<nav_msgs::Odometry>("odom", odometry_health_, [this](const auto& odometry) {
-      const auto motion = openOdometry(odometry);
-      if (!motion) return motion.reason();
-      if (odometry.header.frame_id != odom_frame_) return "in another frame than " + odom_frame_;
-      T_odom_base_ = motion->pose;
-      moved_at_ = steadyNow();
-      return std::string();
-    });
+    pose_ = std::make_unique<BasePose>(odom_frame_, kOldest);
+    subscribe<nav_msgs::Odometry>("odom", odometry_health_,
+                                  [this](const auto& odometry) { return pose_->take(odometry); });
     subscribe<nav_msgs::Path>("route", route_health_,
                               [this](const auto& path) { return takeRoute(path); });
     subscribe<SpeedLimit>("speed_limit", limit_health_, [this](const auto& limit) {
@@ -95,8 +88,7 @@ class MotionExecutorNodelet : public nodelet::Nodelet {
     std::string fault = wish ? "" : wish.reason();
     std::optional<Pose2> pose;
     if (fault.empty() && !wish->points.empty()) {
-      pose = poseIn(path.header.frame_id, fault);
-      if (fault.empty() && !pose) fault = "the robot's pose is not known: no odometry";
+      pose = pose_->in(path.header.frame_id, fault);
     }
     if (!fault.empty()) {
       publish(RouteState::REFUSED, {}, fault);
@@ -110,46 +102,13 @@ class MotionExecutorNodelet : public nodelet::Nodelet {
     return {};
   }
 
-  /// The base's newest pose in a frame. @param fault why not
-  std::optional<Pose2> poseIn(const std::string& frame, std::string& fault) {
-    if (!T_odom_base_) return std::nullopt;
-    fault = tooOld("odometry", steadyNow() - moved_at_, kOldestOdometry);
-    if (!fault.empty()) return std::nullopt;
-    if (frame == odom_frame_) return T_odom_base_;
-    try {
-      // The newest: a frame that is corrected now and then must be right now.
-      const auto transform = transforms_.lookupTransform(frame, odom_frame_, ros::Time(0));
-      // Stamp zero: it never changes.
-      if (!transform.header.stamp.isZero())
-        fault = tooOld("transform from \"" + odom_frame_ + "\" to \"" + frame.substr(0, 64) + "\"",
-                       (ros::Time::now() - transform.header.stamp).toSec(), kOldestTransform);
-      if (!fault.empty()) return std::nullopt;
-      const auto& q = transform.transform.rotation;
-      const auto& t = transform.transform.translation;
-      const Pose2 T_frame_odom{t.x, t.y, 2.0 * std::atan2(q.z, q.w)};
-      const Eigen::Vector2d place = T_frame_odom * T_odom_base_->position();
-      return Pose2{place.x(), place.y(), wrapped(T_frame_odom.heading + T_odom_base_->heading)};
-    } catch (const tf2::TransformException& unknown) {
-      fault = "frame \"" + frame.substr(0, 64) + "\": " + unknown.what();
-      return std::nullopt;
-    }
-  }
-
-  static std::string tooOld(const std::string& what, double age, double limit) {
-    if (age <= limit) return {};
-    std::ostringstream text;
-    text << std::fixed << std::setprecision(1) << what << " is " << age << " s old, limit " << limit
-         << " s";
-    return text.str();
-  }
-
   void step() {
     std::string fault;
     ExecutorInput input;
     input.now = ros::Time::now().toSec();
     ExecutorOutput output;
     if (!executor_->idle()) {
-      const auto pose = poseIn(frame_, fault);
+      const auto pose = pose_->in(frame_, fault);
       input.hold = holds_.at(steadyNow(), input.reason);
       input.held_by = holds_.place();
       if (pose) {
@@ -196,25 +155,22 @@ class MotionExecutorNodelet : public nodelet::Nodelet {
     state_.publish(message);
   }
 
-  static constexpr double kOldestOdometry = 0.3;   ///< since it came in [s]
-  static constexpr double kOldestTransform = 0.5;  ///< since its stamp [s]
-  static constexpr double kLingering = 2.0;        ///< zeros after the end of a route [s]
-  static constexpr int kSaidEvery = 3;             ///< steps between states that say nothing new
+  static constexpr BasePose::Limits kOldest{0.3, 0.5};
+  static constexpr double kLingering = 2.0;  ///< zeros after the end of a route [s]
+  static constexpr int kSaidEvery = 3;       ///< steps between states that say nothing new
 
   std::string base_frame_ = "base_link", odom_frame_ = "odom", frame_;
   std::unique_ptr<MotionExecutor> executor_;
   std::unique_ptr<WheelCommands> wheels_;
   ExecutorHolds holds_;
-  std::optional<Pose2> T_odom_base_;
+  std::unique_ptr<BasePose> pose_;
   ExecutorOutput last_;
   std::size_t points_ = 0;
-  double busy_until_ = -1.0, moved_at_ = 0.0;
+  double busy_until_ = -1.0;
   int unsaid_ = 0;
   bool refused_ = false;  ///< idle since a route was refused: that stays said
   InputHealth odometry_health_{"odom", 1.0}, route_health_{"route", 1e9};
   InputHealth limit_health_{"speed_limit", 1.0}, stop_health_{"stop_state", 1e9};
-  tf2_ros::Buffer transforms_;
-  tf2_ros::TransformListener listener_{transforms_};
   ros::Publisher command_, state_;
   std::vector<ros::Subscriber> subscribers_;
   std::unique_ptr<diagnostic_updater::Updater> diagnostics_;

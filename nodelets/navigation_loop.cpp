@@ -1,25 +1,23 @@
 #include "nodelets/navigation_loop.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <utility>
 
 #include "doors/goal_views.hpp"
 #include "doors/map_views.hpp"
+#include "doors/steady_clock.hpp"
 
 namespace pilothouse {
 namespace {
 
-constexpr double kFresh = 0.5;       // older lists of objects mark nothing [s]
+constexpr double kFresh = 5.0;       // older lists of objects mark nothing [s]
 constexpr double kHandFresh = 0.5;   // since a command of a person that moves the robot [s]
 constexpr double kStopFresh = 1.0;   // [s]
 constexpr double kSaidEvery = 0.25;  // what has not changed [s]
 constexpr double kStill = 1e-3;      // a wish below this moves nothing [m/s, rad/s]
 
-double steadyNow() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+constexpr BasePose::Limits kOldest{0.5, 1.0};
 
 }  // namespace
 
@@ -28,7 +26,7 @@ NavigationLoop::NavigationLoop(const RobotDescription& robot, ros::NodeHandle& h
     : settings_(settings),
       planner_(settings.planning, robot.outline(), robot.drive.kind),
       tasker_({planner_, settings.navigation}),
-      pose_(settings.odom_frame) {
+      pose_(settings.odom_frame, kOldest) {
   route_ = handle.advertise<nav_msgs::Path>("route", 4, true);
   path_ = handle.advertise<nav_msgs::Path>("path", 4, true);
   navigation_ = handle.advertise<NavigationState>("navigation_state", 10, true);
@@ -143,13 +141,16 @@ Plan NavigationLoop::plan(const geometry_msgs::PoseStamped& goal, std::string& f
   return plan;
 }
 
-/// What is seen now enters the planner's map.
+/// What was seen last enters the planner's map, from where the base was at that time: from where it
+/// is now, marks would swing along with a robot that turns, and shut it in.
 void NavigationLoop::look(double now) {
   if (!planner_.hasMap()) return;
+  std::string fault;
   if (now - objects_at_ > kFresh) {
     planner_.mark({});
-  } else if (const auto here = pose()) {
-    planner_.mark(marksOf(objects_, *here));
+  } else if (const auto T_map_base =
+                 pose_.at(objects_.header.stamp.toSec(), settings_.map_frame, fault)) {
+    planner_.mark(marksOf(objects_, *T_map_base));
   }
 }
 

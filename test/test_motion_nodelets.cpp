@@ -342,7 +342,9 @@ TEST(ExecutorNodelet, WaitsWhileTheGateIsStoppedAndSaysSo) {
   ASSERT_TRUE(robot.load("executor", "MotionExecutor"));
   robot.runUntil([&] { return robot.route_state.state == RouteState::IDLE; });
   EXPECT_TRUE(robot.runUntil([&] {
-    if (robot.route_state.state == RouteState::IDLE) robot.drive({{2.0, 0.0}}, "odom");
+    if (robot.route_state.state == RouteState::IDLE ||
+        robot.route_state.state == RouteState::REFUSED)  // before the first odometry
+      robot.drive({{2.0, 0.0}}, "odom");
     robot.gate(StopState::STOPPED);
     return robot.route_state.state == RouteState::WAITING &&
            robot.route_state.text == "stop gate: pressed";
