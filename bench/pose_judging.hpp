@@ -13,17 +13,27 @@ namespace pilothouse::bench {
 struct PoseJudgement {
   bool judged = false;  ///< there is a reference, and it is where the track is
   std::size_t poses = 0;
-  /// With the begins laid upon each other, as a robot knows where it starts and must keep it.
-  TrackError raw, corrected;
-  /// After the best rigid alignment of each whole track: the form of the error alone.
+  /// Added to the reference's stamps before all else, for both tracks alike; found for the raw one,
+  /// and only where the clocks are not known to be one [s].
+  double offset = 0.0;
+  /// After the best rigid alignment of each whole track.
   TrackError raw_fit, corrected_fit;
+  /// The same with the reference's stamps as they came.
+  TrackError raw_unshifted, corrected_unshifted;
+  /// With the begins laid upon each other, as a robot knows where it starts and must keep it.
+  TrackError raw_begin, corrected_begin;
   double noise = 0.0;        ///< the reference's own, of places [m]
   double longest_gap = 0.0;  ///< between reference poses [s]
   double fastest = 0.0;      ///< between reference poses [m/s]: a jump shows
   double driven = 0.0;       ///< way of the reference [m]
 };
 
-PoseJudgement judge(const PoseRecording& recording, const PoseReplay& tracks);
+/// @param one_clock the reference's stamps are of odometry's clock and exact.
+PoseJudgement judge(const PoseRecording& recording, const PoseReplay& tracks, bool one_clock);
+
+/// The corrected track's share of the raw one's error, after the reference's own noise was taken
+/// off both in quadrature. NaN where the raw one is no greater than that.
+double shareWithoutNoise(const PoseJudgement& judgement);
 
 /// All figures, one JSON object.
 void describe(const PoseJudgement& judgement, const PoseReplay& tracks, JsonLine& line);

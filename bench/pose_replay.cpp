@@ -25,7 +25,10 @@ class Replayer {
     // What the robot learns from here on comes too late for this moment.
     result_.raw.emplace_back(event.stamp, event.T_odom_base);
     result_.corrected.emplace_back(event.stamp, tracker_.newest().pose);
-    while (!waiting_.empty() && waiting_.front()->beams.end() <= event.stamp) {
+    const auto ended = [this](const ScanEvent& scan) {
+      return scan.beams.end() - localisers_[scan.source]->lag().seconds();
+    };
+    while (!waiting_.empty() && ended(*waiting_.front()) <= event.stamp) {
       localise(*waiting_.front());
       waiting_.pop_front();
     }
@@ -39,6 +42,7 @@ class Replayer {
   PoseReplay finished() {
     if (scans_ > 0) result_.matching_ms /= static_cast<double>(scans_);
     for (const auto& localiser : localisers_) {
+      result_.lags.push_back(localiser->lag().seconds());
       const auto points = localiser->map();
       result_.map.insert(result_.map.end(), points.begin(), points.end());
     }
@@ -47,19 +51,25 @@ class Replayer {
 
  private:
   void localise(const ScanEvent& scan) {
-    const double stamp = scan.beams.end();
-    const auto way = tracker_.way(scan.beams.stamp, stamp);
+    ScanLocaliser& localiser = *localisers_[scan.source];
+    ScanBeams beams = scan.beams;
+    beams.stamp -= localiser.lag().seconds();
+    const double stamp = beams.end();
+    const auto way = tracker_.way(beams.stamp, stamp);
     const auto predicted = tracker_.at(stamp);
     if (!way || !predicted) {
       ++result_.verdicts[nameOf(MatchVerdict::kNoTrack)];
       return;
     }
     const auto begin = std::chrono::steady_clock::now();
-    const auto points = pointsOf(scan.beams, scan.mounting, TrackPiece(*way), stamp);
-    ScanLocaliser& localiser = *localisers_[scan.source];
+    const auto points = pointsOf(beams, scan.mounting, TrackPiece(*way), stamp);
     const ScanMatch match = localiser.match(points, predicted->pose);
     const MatchVerdict verdict = tracker_.correct(stamp, match);
     localiser.learn(verdict, tracker_.at(stamp)->pose);
+    const auto lately = tracker_.way(stamp - ScanLag::kWay, stamp);
+    if (verdict == MatchVerdict::kAccepted && lately) {
+      localiser.lag().learn(stamp, match.pose, *lately);
+    }
     result_.matching_ms +=
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
     ++scans_;

@@ -24,6 +24,7 @@ struct PoseReplay {
   std::vector<StampedPose> raw, corrected;      ///< at each odometry
   std::map<std::string, std::size_t> verdicts;  ///< matches by what became of them
   std::vector<MapPoint> map;                    ///< what the scans met, all scanners
+  std::vector<double> lags;                     ///< learnt of each scanner [s]
   double matching_ms = 0.0;                     ///< a scan, mean
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bench/pose_replay.hpp"
 #include "core/pose/pose_algebra.hpp"
 
 namespace pilothouse::bench {
@@ -60,6 +61,34 @@ TrackError errorOf(const std::vector<StampedPose>& track, const std::vector<Stam
   error.rms = std::sqrt(squares / count);
   error.heading_rms = std::sqrt(turns / count);
   return error;
+}
+
+std::vector<StampedPose> later(std::vector<StampedPose> reference, double offset) {
+  for (StampedPose& pose : reference) pose.first += offset;
+  return reference;
+}
+
+double timeOffset(const std::vector<StampedPose>& track,
+                  const std::vector<StampedPose>& reference) {
+  constexpr double kMost = 0.2, kStep = 0.005;  // [s]
+  // Poses that any of the offsets would push off the track would make the sums differ.
+  std::vector<StampedPose> inner;
+  for (const StampedPose& pose : reference) {
+    if (pose.first - kMost < track.front().first || pose.first + kMost > track.back().first) {
+      continue;
+    }
+    inner.push_back(pose);
+  }
+  if (inner.size() < 10) return 0.0;
+  double best = 0.0, least = INFINITY;
+  const int steps = static_cast<int>(std::lround(kMost / kStep));
+  for (int step = -steps; step <= steps; ++step) {
+    std::vector<StampedPose> from, to;
+    pairUp(track, later(inner, step * kStep), from, to);
+    const double rms = errorOf(from, to, rigidAlignment(from, to)).rms;
+    if (rms < least) least = rms, best = step * kStep;
+  }
+  return best;
 }
 
 double noiseOf(const std::vector<StampedPose>& smooth, const std::vector<StampedPose>& reference,

@@ -26,6 +26,13 @@ Pose2 startAlignment(const std::vector<StampedPose>& track,
 TrackError errorOf(const std::vector<StampedPose>& track, const std::vector<StampedPose>& reference,
                    const Pose2& T_reference_track);
 
+/// The reference with every stamp later by `offset` [s].
+std::vector<StampedPose> later(std::vector<StampedPose> reference, double offset);
+
+/// Which constant, added to the reference's stamps, lays it upon the track best, within +-0.2 s:
+/// two clocks are seldom one (Sturm et al., IROS 2012, align in time before in space). [s]
+double timeOffset(const std::vector<StampedPose>& track, const std::vector<StampedPose>& reference);
+
 /// The reference's own noise of places [m]: what a smooth track (odometry) leaves of it over a few
 /// poses in a row, after a rigid alignment of each such piece. Odometry hardly drifts in that time.
 double noiseOf(const std::vector<StampedPose>& smooth, const std::vector<StampedPose>& reference,

@@ -64,6 +64,9 @@ void report(diagnostic_updater::DiagnosticStatusWrapper& status, const ScanThrea
   status.add("last overlap", report.overlap);
   status.add("last squared Mahalanobis distance", report.distance);
   status.add("points of the map", report.mapped);
+  for (std::size_t i = 0; i < report.lags.size(); ++i) {
+    status.addf("stamps late, scanner " + std::to_string(i) + " [s]", "%.3f", report.lags[i]);
+  }
 }
 
 ScanBeams stampedAtBegin(ScanBeams beams) {

@@ -16,6 +16,7 @@ double seconds(std::chrono::steady_clock::duration duration) {
 ScanThread::ScanThread(SharedTracker& shared,
                        std::vector<std::unique_ptr<ScanLocaliser>> localisers)
     : shared_(shared), localisers_(std::move(localisers)), waiting_(localisers_.size()) {
+  report_.lags.resize(localisers_.size());
   thread_ = std::thread([this] { run(); });
 }
 
@@ -72,7 +73,8 @@ std::optional<ScanThread::Waiting> ScanThread::next(std::size_t& source) {
   for (std::size_t i = 0; i < waiting_.size(); ++i) {
     if (!waiting_[i]) continue;
     const bool stale = seconds(Clock::now() - waiting_[i]->arrived) > kPatience;
-    if (waiting_[i]->beams.end() > newest && !stale) continue;
+    const double end = waiting_[i]->beams.end() - localisers_[i]->lag().seconds();
+    if (end > newest && !stale) continue;
     source = i;
     return std::exchange(waiting_[i], std::nullopt);
   }
@@ -94,7 +96,7 @@ void ScanThread::run() {
       for (const auto& localiser : localisers_) localiser->give(edges);
     }
     std::size_t source = 0;
-    while (const auto scan = next(source)) {
+    while (auto scan = next(source)) {
       localise(source, *scan);
       std::lock_guard<std::mutex> lock(mutex_);
       if (ended_) return;
@@ -102,8 +104,10 @@ void ScanThread::run() {
   }
 }
 
-void ScanThread::localise(std::size_t source, const Waiting& scan) {
+void ScanThread::localise(std::size_t source, Waiting& scan) {
   const auto begin = Clock::now();
+  ScanLocaliser& localiser = *localisers_[source];
+  scan.beams.stamp -= localiser.lag().seconds();
   const double stamp = scan.beams.end();
   std::optional<std::vector<std::pair<double, Pose2>>> way;
   std::optional<PoseEstimate> predicted;
@@ -119,16 +123,17 @@ void ScanThread::localise(std::size_t source, const Waiting& scan) {
     for (const auto& localiser : localisers_) localiser->restart();
     epoch_ = epoch;
   }
-  ScanLocaliser& localiser = *localisers_[source];
   const auto points = pointsOf(scan.beams, scan.mounting, TrackPiece(*way), stamp);
   const ScanMatch match = localiser.match(points, predicted->pose);
   MatchVerdict verdict = MatchVerdict::kNoTrack;
+  std::optional<std::vector<std::pair<double, Pose2>>> lately;
   bool overtaken = false;
   {
     std::lock_guard<std::mutex> lock(shared_.mutex);
     overtaken = shared_.tracker.epoch() != epoch;
     if (!overtaken) {
       verdict = shared_.tracker.correct(stamp, match);
+      lately = shared_.tracker.way(stamp - ScanLag::kWay, stamp);
       if (const auto after = shared_.tracker.at(stamp)) predicted = after;
       std::lock_guard<std::mutex> report_lock(mutex_);
       report_.distance = shared_.tracker.lastDistance();
@@ -140,6 +145,9 @@ void ScanThread::localise(std::size_t source, const Waiting& scan) {
     return;
   }
   localiser.learn(verdict, predicted->pose);
+  if (verdict == MatchVerdict::kAccepted && lately) {
+    localiser.lag().learn(stamp, match.pose, *lately);
+  }
   count(verdict, match, Clock::now() - begin);
 }
 
@@ -153,7 +161,10 @@ void ScanThread::count(MatchVerdict verdict, const ScanMatch& match, Clock::dura
   report_.rms = match.rms;
   report_.overlap = match.overlap;
   report_.mapped = 0;
-  for (const auto& localiser : localisers_) report_.mapped += localiser->mapped();
+  for (std::size_t i = 0; i < localisers_.size(); ++i) {
+    report_.mapped += localisers_[i]->mapped();
+    report_.lags[i] = localisers_[i]->lag().seconds();
+  }
 }
 
 }  // namespace pilothouse

@@ -37,6 +37,7 @@ class ScanThread {
     double last_ms = 0.0;                             ///< what the last match took
     double rms = 0.0, overlap = 0.0, distance = 0.0;  ///< of the last match
     std::size_t mapped = 0;                           ///< points of the map
+    std::vector<double> lags;                         ///< of each scanner's stamps, learnt [s]
   };
 
   ScanThread(SharedTracker& shared, std::vector<std::unique_ptr<ScanLocaliser>> localisers);
@@ -60,7 +61,7 @@ class ScanThread {
   void run();
   /// A scan whose time odometry has reached, or that waited too long. @param source of it
   std::optional<Waiting> next(std::size_t& source);
-  void localise(std::size_t source, const Waiting& scan);
+  void localise(std::size_t source, Waiting& scan);
   void count(MatchVerdict verdict, const ScanMatch& match, Clock::duration took);
 
   SharedTracker& shared_;

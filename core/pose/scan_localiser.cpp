@@ -16,6 +16,7 @@ void ScanLocaliser::give(const std::vector<MapPoint>& map) {
 
 void ScanLocaliser::restart() {
   scans_.clear();
+  lag_.restart();
   keyframe_.reset();
   last_.clear();
 }

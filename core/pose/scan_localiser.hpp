@@ -7,6 +7,7 @@
 
 #include "core/pose/point_map.hpp"
 #include "core/pose/pose_tracker.hpp"
+#include "core/pose/scan_lag.hpp"
 #include "core/pose/scan_matcher.hpp"
 
 namespace pilothouse {
@@ -36,6 +37,8 @@ class ScanLocaliser {
   /// What became of the last match. @param pose T_map_base after it, or predicted where it was
   /// refused: new places enter the map, and so does the first scan.
   void learn(MatchVerdict verdict, const Pose2& pose);
+  /// Of this sensor's stamps.
+  ScanLag& lag() { return lag_; }
   /// What the scans have met so far.
   std::vector<MapPoint> map() const { return scans_.points(); }
   /// Points of the map.
@@ -46,6 +49,7 @@ class ScanLocaliser {
 
   LocaliserParameters parameters_;
   std::unique_ptr<ScanMatcher> matcher_;
+  ScanLag lag_;
   PointMap scans_;
   bool given_ = false;
   std::size_t given_points_ = 0;
