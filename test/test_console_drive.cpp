@@ -355,7 +355,9 @@ TEST_F(ConsoleDrive, theButtonsPublishWhatTheySay) {
 
 TEST_F(ConsoleDrive, keysInAFieldDoNotDriveButTheStopKeyStops) {
   QTest::keyClick(bridge->window.get(), Qt::Key_H);
-  auto* field = bridge->window->findChild<QDoubleSpinBox*>();
+  auto* band = bridge->window->findChild<QWidget*>("height_band");
+  ASSERT_TRUE(band);
+  auto* field = band->findChild<QDoubleSpinBox*>();
   ASSERT_TRUE(field);
   ASSERT_TRUE(bridge->wait([&] { return field->isVisible(); }));
   field->setFocus();

@@ -29,7 +29,9 @@ void addDriving(const ConsoleState& state, double now, Situation& situation) {
         {"contacts", std::to_string(contacts.count) + " since the start", false});
   }
   const RouteReading route = state.route.get();
-  if (now - route.at < kReadingShown) situation.route = routeWords(route);
+  // Where there are tasks their bar tells it, by the task's own points.
+  const bool tasks = state.place.task.state(now).ever;
+  if (!tasks && now - route.at < kReadingShown) situation.route = routeWords(route);
 }
 
 }  // namespace

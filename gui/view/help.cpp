@@ -91,6 +91,12 @@ void showShortcuts(QMainWindow& window) {
   addRow(panels, QObject::tr("Zoom about the cursor"), QObject::tr("wheel"));
   addRow(panels, QObject::tr("Move the map"), QObject::tr("drag"));
   addRow(panels, QObject::tr("Fit the map"), QObject::tr("double click"));
+  addRow(panels, QObject::tr("With a tool: place, and heading"), QObject::tr("press, drag"));
+  addRow(panels, QObject::tr("With a tool: send it"), QObject::tr("click on it"));
+  addRow(panels, QObject::tr("With a tool: take it back; move the map"),
+         QObject::tr("right click; right drag"));
+  addRow(panels, QObject::tr("With a tool: move its cross (finely)"),
+         QObject::tr("arrow keys (Shift)"));
   own->setRowStretch(own->rowCount(), 1);
   panels->setRowStretch(panels->rowCount(), 1);
 

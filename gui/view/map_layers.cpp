@@ -75,7 +75,8 @@ void paintRings(QPainter& painter, const MapView& view, QSizeF size) {
   }
 }
 
-void paintFloor(QPainter& painter, const MapView& view, const FloorPicture& floor, bool calm) {
+void paintFloor(QPainter& painter, const MapView& view, const FloorPicture& floor, bool calm,
+                bool rim) {
   const GridGeometry& g = floor.geometry;
   const double x_max = double(g.x_min) + double(g.cell_size) * g.size_x;
   const double y_max = double(g.y_min) + double(g.cell_size) * g.size_y;
@@ -85,7 +86,7 @@ void paintFloor(QPainter& painter, const MapView& view, const FloorPicture& floo
   painter.setRenderHint(QPainter::Antialiasing, false);
   painter.setPen(QPen(theme::kLine, 1));
   painter.setBrush(Qt::NoBrush);
-  painter.drawRect(where);
+  if (rim) painter.drawRect(where);
   // Drop-offs carry a hatch as well as a colour: mistaking one is the costliest error on the map.
   const double side = double(g.cell_size) * view.scale();
   if (side < 4.0) return;

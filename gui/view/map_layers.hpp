@@ -16,9 +16,10 @@ QColor robotColour();
 void paintGrid(QPainter& painter, const MapView& view, QSizeF size);
 /// Rings of range about the robot, with metres.
 void paintRings(QPainter& painter, const MapView& view, QSizeF size);
-/// @param calm obstacles in grey, below objects with colours of their own.
+/// @param calm obstacles in grey, below objects with colours of their own. @param rim an outline
+/// tells how far the robot looks.
 void paintFloor(QPainter& painter, const MapView& view, const FloorPicture& floor,
-                bool calm = false);
+                bool calm = false, bool rim = true);
 /// The nearest of their row outlined in white, the others plain.
 void paintObjects(QPainter& painter, const MapView& view, const ObjectsPicture& objects);
 void paintRobot(QPainter& painter, const MapView& view, const RobotDescription& robot);

@@ -39,7 +39,7 @@ void PlaceCanvas::show(PlaceScene scene) {
   if (scene_.pose) trail_.add(scene_.pose->pose.position());
   if (follow_ && scene_.pose) {
     view_.centreOn({scene_.pose->pose.x, scene_.pose->pose.y});
-  } else if (fitted_ && (grown || first)) {
+  } else if (fitted_ && !tool_ && (grown || first)) {  // never under somebody who aims
     fit();
   }
   update();

@@ -71,7 +71,7 @@ void PlaceCanvas::paintScene(QPainter& painter) {
     painter.save();
     painter.setOpacity(0.75);
     inRobotFrame(painter, view_, pose->pose, 0.0, [&](const MapView& local) {
-      paintFloor(painter, local, *scene_.floor, scene_.judged);
+      paintFloor(painter, local, *scene_.floor, scene_.judged, false);
     });
     painter.restore();
   }

@@ -61,8 +61,8 @@ QSplitter::handle { background: #121519; }
 QSlider::groove:horizontal { background: #313944; height: 4px; border-radius: 2px; }
 QSlider::sub-page:horizontal { background: #3f7fb8; height: 4px; border-radius: 2px; }
 QSlider::handle:horizontal { background: #e8ecf1; width: 14px; margin: -5px 0; border-radius: 7px; }
-QDoubleSpinBox { background: #1a1e24; color: #e8ecf1; border: 1px solid #3d4754; border-radius: 4px; padding: 0 2px; }
-QDoubleSpinBox:focus { border-color: #5ab4ff; }
+QDoubleSpinBox, QLineEdit { background: #1a1e24; color: #e8ecf1; border: 1px solid #3d4754; border-radius: 4px; padding: 0 2px; }
+QDoubleSpinBox:focus, QLineEdit:focus { border-color: #5ab4ff; }
 QTabBar::tab { background: #1a1e24; color: #a0abb9; padding: 5px 14px; border: none; }
 QTabBar::tab:selected { background: #242a32; color: #e8ecf1; }
 )";

@@ -1,0 +1,421 @@
+// The console's model of the place: maps, goals before they are sent, routes, words, keys that aim.
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <future>
+#include <limits>
+#include <memory>
+
+#include "gui/model/class_colours.hpp"
+#include "gui/model/conversions_place.hpp"
+#include "gui/model/errand_thread.hpp"
+#include "gui/model/goal_aim.hpp"
+#include "gui/model/map_view.hpp"
+#include "gui/model/task_words.hpp"
+#include "gui/model/teleop.hpp"
+#include "gui/model/trail.hpp"
+
+using namespace pilothouse;
+using namespace pilothouse::gui;
+
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+MapGrid mapOf(std::uint32_t width, std::uint32_t height, std::uint8_t all) {
+  MapGrid grid;
+  grid.header.frame_id = "map";
+  grid.info.resolution = 0.05F;
+  grid.info.width = width;
+  grid.info.height = height;
+  grid.info.origin.orientation.w = 1.0;
+  grid.classes.assign(std::size_t{width} * height, all);
+  return grid;
+}
+
+std::shared_ptr<const Preview> found(std::uint32_t id, double length) {
+  auto preview = std::make_shared<Preview>();
+  preview->id = id;
+  preview->answered = preview->found = true;
+  preview->path.points = {{0, 0}, {length, 0}};
+  preview->path.length = length;
+  return preview;
+}
+
+std::shared_ptr<const Preview> noWay(std::uint32_t id, Eigen::Vector2d nearest) {
+  auto preview = std::make_shared<Preview>();
+  preview->id = id;
+  preview->answered = true;
+  preview->why = "something stands there";
+  preview->nearest = nearest;
+  return preview;
+}
+
+RouteDraft square() {
+  RouteDraft draft;
+  const double corners[][2] = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
+  for (const auto& p : corners) draft.points.push_back({{{p[0], p[1]}, std::nullopt}, 0.0});
+  return draft;
+}
+
+TEST(PlaceMap, aMapThatLiesIsRefusedWithTheReason) {
+  const auto reason = [](void (*spoil)(MapGrid&)) {
+    MapGrid grid = mapOf(10, 8, MapGrid::FREE);
+    spoil(grid);
+    const auto map = mapFromMessage(grid);
+    return map ? std::string("taken") : map.reason();
+  };
+  EXPECT_EQ(reason([](MapGrid&) {}), "taken");
+  EXPECT_NE(reason([](MapGrid& g) { g.classes.pop_back(); }).find("79, expected 80"),
+            std::string::npos);
+  EXPECT_NE(reason([](MapGrid& g) { g.classes[3] = 9; }).find("class is 9"), std::string::npos);
+  EXPECT_NE(reason([](MapGrid& g) { g.info.origin.position.x = kNaN; }).find("origin"),
+            std::string::npos);
+  EXPECT_NE(reason([](MapGrid& g) { g.info.resolution = std::nanf(""); }).find("resolution"),
+            std::string::npos);
+  EXPECT_NE(reason([](MapGrid& g) { g.info.width = g.info.height = 9000; }).find("36 million"),
+            std::string::npos);
+}
+
+TEST(PlaceMap, northIsUpAndAThinWallIsSeenFromAfar) {
+  MapGrid grid = mapOf(1000, 500, MapGrid::FREE);
+  for (std::size_t x = 0; x < 1000; ++x) grid.classes[123 * 1000 + x] = MapGrid::OCCUPIED;
+  const auto map = mapFromMessage(grid);
+  ASSERT_TRUE(map);
+  const auto& levels = (*map)->levels;
+  ASSERT_GE(levels.size(), 3U);
+  EXPECT_EQ(levels[0].pixel(7, 500 - 1 - 123), mapCellColour(MapCell::kOccupied));
+  EXPECT_EQ(levels[0].pixel(7, 123), mapCellColour(MapCell::kFree));
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const int row = (500 - 1 - 123) >> i;
+    EXPECT_EQ(levels[i].pixel(3, row), mapCellColour(MapCell::kOccupied)) << "level " << i;
+    EXPECT_EQ(levels[i].pixel(3, row - 2), mapCellColour(MapCell::kFree)) << "level " << i;
+  }
+}
+
+TEST(PlaceMap, oddSizesKeepTheirLastCells) {
+  MapGrid grid = mapOf(257, 301, MapGrid::UNKNOWN);
+  grid.classes[256] = MapGrid::DROP_OFF;  // lower right
+  const auto map = mapFromMessage(grid);
+  ASSERT_TRUE(map);
+  for (const auto& level : (*map)->levels) {
+    EXPECT_EQ(level.pixel(level.width() - 1, level.height() - 1), mapCellColour(MapCell::kDropOff));
+    EXPECT_EQ(qAlpha(level.pixel(0, 0)), 0) << "unknown is transparent";
+  }
+}
+
+TEST(PlaceMessages, whatIsNotFiniteOrNotKnownIsRefused) {
+  geometry_msgs::PoseWithCovarianceStamped pose;
+  EXPECT_FALSE(poseFromMessage(pose)) << "an orientation of zeros is no pose";
+  pose.pose.pose.orientation.w = 1.0;
+  ASSERT_TRUE(poseFromMessage(pose));
+  EXPECT_FALSE(poseFromMessage(pose)->spread_known) << "zeros tell nothing";
+  pose.pose.covariance[0] = pose.pose.covariance[7] = 0.04;
+  EXPECT_TRUE(poseFromMessage(pose)->spread_known);
+  pose.pose.pose.position.y = kNaN;
+  EXPECT_FALSE(poseFromMessage(pose));
+
+  nav_msgs::Path path;
+  path.poses.resize(2);
+  path.poses[1].pose.position.x = 3.0;
+  ASSERT_TRUE(pathFromMessage(path));
+  EXPECT_DOUBLE_EQ(pathFromMessage(path)->length, 3.0);
+  path.poses[1].pose.position.x = std::numeric_limits<double>::infinity();
+  EXPECT_NE(pathFromMessage(path).reason().find("pose 1"), std::string::npos);
+
+  NavigationState state;
+  state.distance_left = std::nanf("");
+  state.time_left = -3.0F;
+  state.goal.theta = kNaN;
+  ASSERT_TRUE(navigationFromMessage(state));
+  EXPECT_TRUE(std::isnan(navigationFromMessage(state)->distance_left));
+  EXPECT_TRUE(std::isnan(navigationFromMessage(state)->time_left));
+  EXPECT_FALSE(navigationFromMessage(state)->heading);
+  state.state = 9;
+  EXPECT_FALSE(navigationFromMessage(state));
+  TaskState task;
+  task.state = 6;
+  EXPECT_FALSE(taskFromMessage(task));
+
+  PlanPath::Response response;
+  response.found = 1;
+  EXPECT_FALSE(previewFromResponse(response, 1)) << "a path without poses";
+  response.found = 0;
+  response.has_nearest = 1;
+  response.nearest.x = std::nanf("");
+  EXPECT_FALSE(previewFromResponse(response, 1));
+}
+
+TEST(PlaceMessages, aRouteComesBackAsItWasSent) {
+  RouteDraft draft = square();
+  draft.loop = true;
+  draft.points[1].goal.heading = 0.5;
+  draft.points[2].pause = 7.0;
+  const auto back = routeFromResponse(toMessage(draft, "map"));
+  ASSERT_TRUE(back) << back.reason();
+  EXPECT_EQ(*back, draft);
+  GoalRoute broken = toMessage(draft, "map");
+  broken.points[0].x = kNaN;
+  EXPECT_FALSE(routeFromResponse(broken));
+  broken = toMessage(draft, "map");
+  broken.points.resize(10000);
+  EXPECT_NE(routeFromResponse(broken).reason().find("10000 points"), std::string::npos);
+}
+
+TEST(GoalAim, asksAnewAfterEachChangeAndHeedsOnlyTheAnswerToTheNewest) {
+  GoalAim aim;
+  std::uint32_t first = 0, second = 0;
+  EXPECT_FALSE(aim.due(0.0, first)) << "nothing is aimed at";
+  aim.place({1, 2});
+  ASSERT_TRUE(aim.due(0.0, first));
+  EXPECT_FALSE(aim.due(0.05, second)) << "asked already";
+  aim.face({1, 3});
+  EXPECT_FALSE(aim.due(0.1, second)) << "too soon after the last ask";
+  const auto ask = aim.due(0.2, second);
+  ASSERT_TRUE(ask);
+  EXPECT_NEAR(*ask->heading, M_PI / 2, 1e-12);
+  aim.answered(found(first, 5.0));
+  EXPECT_EQ(aim.phase(0.2), AimPhase::kAsking) << "that was the old goal's way";
+  EXPECT_FALSE(aim.send(0.2)) << "its way was not shown yet";
+  aim.answered(found(second, 3.0));
+  EXPECT_EQ(aim.phase(0.2), AimPhase::kFound);
+  EXPECT_EQ(goalWords(aim, 0.5, 0.2).headline, "3.0 m, about 6 s");
+  const auto sent = aim.send(0.3);
+  ASSERT_TRUE(sent);
+  EXPECT_EQ(sent->place, Eigen::Vector2d(1, 2));
+  EXPECT_EQ(aim.phase(0.3), AimPhase::kNone);
+  EXPECT_FALSE(aim.send(0.4)) << "sent once";
+}
+
+TEST(GoalAim, withoutAWayTheReasonAndTheNearestPlace) {
+  GoalAim aim;
+  std::uint32_t id = 0;
+  aim.place({4, 0});
+  aim.setHeading(1.0);
+  ASSERT_TRUE(aim.due(0.0, id));
+  EXPECT_FALSE(aim.takeNearest());
+  aim.answered(noWay(id, {3, 0}));
+  EXPECT_EQ(aim.phase(0.1), AimPhase::kNoWay);
+  EXPECT_EQ(goalWords(aim, 0.5, 0.1).headline, "No way there: something stands there");
+  EXPECT_FALSE(aim.send(0.1));
+  ASSERT_TRUE(aim.takeNearest());
+  EXPECT_EQ(aim.goal()->place, Eigen::Vector2d(3, 0));
+  EXPECT_EQ(aim.goal()->heading, 1.0);
+  EXPECT_EQ(aim.phase(0.2), AimPhase::kAsking);
+}
+
+TEST(GoalAim, aPlannerThatIsSilentOrAbsentHindersNoSending) {
+  GoalAim aim;
+  std::uint32_t id = 0;
+  aim.place({1, 0});
+  ASSERT_TRUE(aim.due(0.0, id));
+  EXPECT_EQ(aim.phase(GoalAim::kPatience - 0.1), AimPhase::kAsking);
+  EXPECT_EQ(aim.phase(GoalAim::kPatience + 0.1), AimPhase::kUnanswered);
+  EXPECT_TRUE(aim.send(GoalAim::kPatience + 0.1));
+  aim.place({1, 0});
+  ASSERT_TRUE(aim.due(10.0, id));
+  auto none = std::make_shared<Preview>();
+  none->id = id;
+  none->why = "no service /plan_path";
+  aim.answered(none);
+  EXPECT_EQ(aim.phase(10.0), AimPhase::kUnanswered);
+  EXPECT_EQ(goalWords(aim, 0.5, 10.0).headline, "No preview: no service /plan_path");
+}
+
+TEST(GoalAim, refusesWhatIsNotFinite) {
+  GoalAim aim;
+  aim.place({kNaN, 0});
+  EXPECT_FALSE(aim.goal());
+  aim.place({1, 1});
+  aim.face({1, 1});
+  EXPECT_FALSE(aim.goal()->heading) << "the place itself is no direction";
+  aim.face({kNaN, 1});
+  aim.turn(kNaN);
+  EXPECT_FALSE(aim.goal()->heading);
+  aim.turn(4.0);
+  EXPECT_NEAR(*aim.goal()->heading, 4.0 - 2 * M_PI, 1e-12);
+}
+
+TEST(RouteDraft, findsPointsAndLegsUnderTheCursor) {
+  RouteDraft draft = square();
+  EXPECT_EQ(pointAt(draft, {2.05, 0.0}, 0.1), 1U);
+  EXPECT_FALSE(pointAt(draft, {1.0, 0.0}, 0.1));
+  EXPECT_EQ(legAt(draft, {1.0, 0.05}, 0.1), 1U);
+  EXPECT_EQ(legAt(draft, {1.95, 1.0}, 0.1), 2U);
+  EXPECT_FALSE(legAt(draft, {0.0, 1.0}, 0.1)) << "only a loop goes back";
+  EXPECT_EQ(legAt(withLoop(draft, true), {0.0, 1.0}, 0.1), 4U);
+  EXPECT_DOUBLE_EQ(draft.length(), 6.0);
+  EXPECT_DOUBLE_EQ(withLoop(draft, true).length(), 8.0);
+}
+
+TEST(RouteDraft, stepsThatCannotBeLeaveItAsItWas) {
+  const RouteDraft draft = square();
+  EXPECT_EQ(withoutPoint(draft, 4), draft);
+  EXPECT_EQ(withPlace(draft, 0, {kNaN, 0}), draft);
+  EXPECT_EQ(withPoint(draft, 5, {}), draft);
+  EXPECT_EQ(withOrder(draft, 0, -1), draft);
+  EXPECT_EQ(withOrder(draft, 3, 1), draft);
+  EXPECT_EQ(withHeading(draft, 0, kNaN), draft);
+  EXPECT_EQ(withPause(draft, 0, 1e9).points[0].pause, RouteDraft::kMostPause);
+  EXPECT_EQ(withOrder(draft, 0, 1).points[1].goal.place, draft.points[0].goal.place);
+  RouteDraft full;
+  full.points.resize(RouteDraft::kMostPoints);
+  EXPECT_EQ(withPoint(full, 0, {}).points.size(), RouteDraft::kMostPoints);
+  EXPECT_EQ(faultOf(RouteDraft()), "the route has no points");
+  EXPECT_EQ(faultOf(draft), "");
+}
+
+TaskSituation running(NavigationPhase phase) {
+  TaskSituation s;
+  s.task_state.ever = s.navigation_state.ever = true;
+  s.task.phase = TaskPhase::kRunning;
+  s.task.behaviour = "route";
+  s.navigation.phase = phase;
+  s.navigation.points = 5;
+  s.navigation.point = 1;
+  s.navigation.distance_left = 3.24;
+  s.navigation.time_left = 75.0;
+  return s;
+}
+
+TEST(TaskWords, tellWhatRunsHowFarAndHowLong) {
+  const TaskWords words = taskWords(running(NavigationPhase::kDriving));
+  EXPECT_EQ(words.state, "Running");
+  EXPECT_EQ(words.headline, "to point 2 of 5");
+  EXPECT_EQ(words.left, "3.2 m, 1 min 15 s left");
+  EXPECT_TRUE(words.can_pause && words.can_skip && words.can_cancel);
+  EXPECT_FALSE(words.can_resume);
+}
+
+TEST(TaskWords, tellWhyItWaitsIsPausedOrFailed) {
+  TaskSituation s = running(NavigationPhase::kWaiting);
+  s.navigation.text = "a person stands in the way";
+  EXPECT_EQ(taskWords(s).state, "Waiting");
+  EXPECT_EQ(taskWords(s).why, "a person stands in the way");
+  s = running(NavigationPhase::kDriving);
+  s.gate_stopped = true;
+  EXPECT_EQ(taskWords(s).why, "the stop gate holds the robot until it is armed");
+  s.task.phase = TaskPhase::kPaused;
+  EXPECT_EQ(taskWords(s).state, "Paused");
+  EXPECT_TRUE(taskWords(s).can_resume);
+  EXPECT_FALSE(taskWords(s).can_pause);
+  s.task.phase = TaskPhase::kFailed;
+  s.task.text = "the way is blocked";
+  EXPECT_EQ(taskWords(s).severity, Severity::kError);
+  EXPECT_EQ(taskWords(s).why, "the way is blocked");
+  EXPECT_FALSE(taskWords(s).can_cancel);
+  s.task.refused = "goal: frame \"moon\" is unknown";
+  EXPECT_EQ(taskWords(s).why, "refused: goal: frame \"moon\" is unknown");
+}
+
+TEST(TaskWords, aSilentNavigatorIsNoRunningOne) {
+  TaskSituation s = running(NavigationPhase::kDriving);
+  s.task_state.age_s = 5.0;
+  EXPECT_EQ(taskWords(s).state, "Silent");
+  EXPECT_EQ(taskWords(s).left, "");
+  s = TaskSituation();
+  EXPECT_EQ(taskWords(s).state, "No navigator");
+}
+
+TEST(Words, lengthsAndTimes) {
+  EXPECT_EQ(lengthWords(0.854), "85 cm");
+  EXPECT_EQ(lengthWords(12.44), "12.4 m");
+  EXPECT_EQ(lengthWords(kNaN), "?");
+  EXPECT_EQ(timeWords(59.6), "1 min");
+  EXPECT_EQ(timeWords(34.6), "35 s");
+  EXPECT_EQ(timeWords(3725), "1 h 2 min");
+  EXPECT_EQ(timeWords(kNaN), "?");
+}
+
+TEST(MapView, eastIsRightNorthIsUpAndBothWaysAreInverses) {
+  MapView view(MapView::Axes::kEastRight);
+  view.resize({640, 480});
+  view.fit({-2.0, -1.0, 8.0, 4.0}, {10, 20}, {30, 40});
+  EXPECT_GT(view.toPixel(1, 0).x(), view.toPixel(0, 0).x());
+  EXPECT_LT(view.toPixel(0, 1).y(), view.toPixel(0, 0).y());
+  const QPointF corner = view.toPixel(-2.0, 3.0);
+  EXPECT_GE(corner.x(), 10 - 1e-9);
+  EXPECT_GE(corner.y(), 20 - 1e-9);
+  const QPointF other = view.toPixel(6.0, -1.0);
+  EXPECT_LE(other.x(), 610 + 1e-9);
+  EXPECT_LE(other.y(), 440 + 1e-9);
+  const QPointF before = view.toMetres({100, 100});
+  view.zoomAbout({100, 100}, 1.7);
+  EXPECT_NEAR(view.toMetres({100, 100}).x(), before.x(), 1e-9);
+  view.panBy({13, -7});
+  EXPECT_NEAR(view.toMetres({113, 93}).y(), before.y(), 1e-9);
+}
+
+TEST(Trail, growsByStepsAndBreaksAtJumps) {
+  Trail trail;
+  EXPECT_TRUE(trail.add({0, 0}));
+  EXPECT_FALSE(trail.add({0.01, 0}));
+  EXPECT_TRUE(trail.add({0.05, 0}));
+  EXPECT_FALSE(trail.points().back().begins);
+  EXPECT_TRUE(trail.add({5, 0}));
+  EXPECT_TRUE(trail.points().back().begins);
+  EXPECT_FALSE(trail.add({kNaN, 0}));
+  for (int i = 0; i < 7000; ++i) trail.add({0.1 * i, 9});
+  EXPECT_EQ(trail.points().size(), Trail::kMost);
+}
+
+TEST(AimingArrows, anArrowPressedToAimNeverBeginsToDrive) {
+  Teleop teleop{BaseParameters()};
+  const KeyMeaning arrow{DriveKey::kForward, 1};
+  teleop.pressElsewhere(arrow, 0.0);
+  EXPECT_FALSE(teleop.step(0.01, HandsOff::kNone));
+  // Held on: X sends release and press again and again, by now perhaps as a driving key.
+  for (double now = 0.04; now < 0.5; now += 0.04) {
+    teleop.release(arrow, now);
+    teleop.press(arrow, now + 0.001);
+    EXPECT_FALSE(teleop.step(now + 0.002, HandsOff::kNone)) << now;
+  }
+  teleop.release(arrow, 0.6);
+  EXPECT_FALSE(teleop.step(0.7, HandsOff::kNone));
+  teleop.press(arrow, 0.8);
+  const auto command = teleop.step(0.81, HandsOff::kNone);
+  ASSERT_TRUE(command) << "pressed anew it drives";
+  EXPECT_GT(command->vx, 0.0);
+}
+
+TEST(ErrandThread, anErrandThatHangsGathersNothingAndOnlyTheNewestPreviewIsMade) {
+  std::promise<void> go, made;
+  std::vector<int> previews;
+  {
+    ErrandThread thread([](const std::string&) {});
+    thread.add("hangs", [&] { go.get_future().wait(); });
+    for (int i = 1; i <= 10; ++i) {
+      thread.addIdle("plan", [&, i] {
+        previews.push_back(i);
+        made.set_value();
+      });
+    }
+    std::size_t taken = 0;
+    while (taken < 1000 && thread.add("waits", [] {})) ++taken;
+    EXPECT_LT(taken, 1000U);
+    go.set_value();
+    ASSERT_EQ(made.get_future().wait_for(std::chrono::seconds(20)), std::future_status::ready);
+  }
+  EXPECT_EQ(previews, std::vector<int>{10});
+}
+
+TEST(ErrandThread, endsThoughAnErrandHangs) {
+  auto go = std::make_shared<std::promise<void>>();
+  auto ended = std::make_shared<std::promise<void>>();
+  auto begun = std::make_shared<std::promise<void>>();
+  {
+    ErrandThread thread([](const std::string&) {});
+    thread.add("hangs", [go, ended, begun] {
+      begun->set_value();
+      go->get_future().wait();
+      ended->set_value();
+    });
+    begun->get_future().wait();
+  }
+  go->set_value();  // only now could it end: the thread was left behind
+  EXPECT_EQ(ended->get_future().wait_for(std::chrono::seconds(20)), std::future_status::ready);
+}
+
+}  // namespace
