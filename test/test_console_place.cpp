@@ -206,6 +206,17 @@ TEST(GoalAim, withoutAWayTheReasonAndTheNearestPlace) {
   EXPECT_EQ(aim.phase(0.2), AimPhase::kAsking);
 }
 
+TEST(GoalAim, whereThePlaceCanBeReachedButNotWithItsHeadingAnyHeadingIsTaken) {
+  GoalAim aim;
+  std::uint32_t id = 0;
+  aim.place({4, 0});
+  aim.setHeading(1.0);
+  ASSERT_TRUE(aim.due(0.0, id));
+  aim.answered(noWay(id, {4.01, 0}));
+  ASSERT_TRUE(aim.takeNearest());
+  EXPECT_FALSE(aim.goal()->heading);
+}
+
 TEST(GoalAim, aPlannerThatIsSilentOrAbsentHindersNoSending) {
   GoalAim aim;
   std::uint32_t id = 0;

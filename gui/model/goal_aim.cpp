@@ -8,6 +8,7 @@ namespace pilothouse::gui {
 
 namespace {
 
+constexpr double kFits = 0.05;  // m; a nearest place so near is the goal
 constexpr double kSame = 1e-3;  // m; a point so near gives no heading
 
 std::string formatted(const char* format, double value) {
@@ -54,6 +55,8 @@ void GoalAim::takeBack() {
 
 bool GoalAim::takeNearest() {
   if (!goal_ || !answer_ || answer_->found || !answer_->nearest) return false;
+  // The place itself: what does not fit there is the heading.
+  if ((goal_->place - *answer_->nearest).norm() < kFits) goal_->heading.reset();
   goal_->place = *answer_->nearest;
   changed();
   return true;

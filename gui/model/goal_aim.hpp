@@ -38,7 +38,8 @@ class GoalAim {
   void setHeading(std::optional<double> heading);
   /// Nothing is aimed at any more.
   void takeBack();
-  /// The nearest place that can be reached, in its stead. @return false: none is known.
+  /// The nearest place that can be reached, in its stead; with any heading where it is the place
+  /// itself: then the heading does not fit. @return false: none is known.
   bool takeNearest();
 
   const std::optional<PlaceGoal>& goal() const { return goal_; }

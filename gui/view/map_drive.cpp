@@ -89,13 +89,13 @@ void paintObjectMark(QPainter& painter, const QRectF& box, const ObjectMark& obj
 }
 
 void paintJudgedObjects(QPainter& painter, const MapView& view, const ObjectsPicture& objects,
-                        const std::optional<HeightBand>& band) {
+                        const std::optional<HeightBand>& band, double least_side) {
   painter.setRenderHint(QPainter::Antialiasing);
   // What matters most lies on top.
   for (const auto layer : {InTheWay::kOther, InTheWay::kPotential, InTheWay::kYes}) {
     for (const auto& object : objects.objects) {
       if (object.relevance != layer) continue;
-      const double side = std::max(5.0, double(object.size) * view.scale());
+      const double side = std::max(least_side, double(object.size) * view.scale());
       const QPointF centre = view.toPixel(double(object.x), double(object.y));
       paintObjectMark(painter, QRectF(centre.x() - side / 2, centre.y() - side / 2, side, side),
                       object, within(band, object.z));

@@ -38,9 +38,9 @@ QColor inTheWayColour(InTheWay relevance);
 QColor atHeightColour();
 
 /// By whether they are in the way: a cross, a stroke or nothing beside the colour; hollow where
-/// only remembered; a diamond at the height in question.
+/// only remembered; a diamond at the height in question. @param least_side of a mark [pixels].
 void paintJudgedObjects(QPainter& painter, const MapView& view, const ObjectsPicture& objects,
-                        const std::optional<HeightBand>& band);
+                        const std::optional<HeightBand>& band, double least_side = 5.0);
 /// One object's mark, also for the legend.
 void paintObjectMark(QPainter& painter, const QRectF& box, const ObjectMark& object,
                      bool at_height);

@@ -89,7 +89,7 @@ void paintStanding(QPainter& painter, const MapView& view, const ObjectsPicture&
   painter.setBrush(QColor(0x2f, 0x86, 0xff, 90));
   const QRectF screen(QPointF(0, 0), view.size());
   for (const auto& object : objects.objects) {
-    const double side = std::max(4.0, double(object.size) * view.scale());
+    const double side = std::max(3.0, double(object.size) * view.scale());
     const QPointF centre = view.toPixel(double(object.x), double(object.y));
     const QRectF box(centre.x() - side / 2, centre.y() - side / 2, side, side);
     if (screen.intersects(box)) painter.drawRect(box);

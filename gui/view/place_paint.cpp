@@ -82,7 +82,7 @@ void PlaceCanvas::paintScene(QPainter& painter) {
   if (pose && scene_.objects && layer(PlaceLayer::kObjects)) {
     inRobotFrame(painter, view_, pose->pose, 0.0, [&](const MapView& local) {
       if (scene_.judged) {
-        paintJudgedObjects(painter, local, *scene_.objects, std::nullopt);
+        paintJudgedObjects(painter, local, *scene_.objects, std::nullopt, 3.0);
       } else {
         paintObjects(painter, local, *scene_.objects);
       }
