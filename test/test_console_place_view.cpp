@@ -1,144 +1,17 @@
-// The map that stays in place and its tools as the operator uses them, on Qt's offscreen platform.
-
-#include <gtest/gtest.h>
+// The map that stays in place, its goals, poses, layers and tasks as the operator uses them.
 
 #include <QAction>
-#include <QApplication>
-#include <QLineEdit>
-#include <QTemporaryDir>
-#include <QTest>
 #include <cmath>
-#include <cstdlib>
-#include <memory>
 #include <set>
 
 #include "gui/model/class_colours.hpp"
-#include "gui/model/clock.hpp"
-#include "gui/model/conversions_place.hpp"
-#include "gui/model/helm.hpp"
-#include "gui/view/main_window.hpp"
-#include "gui/view/place_view.hpp"
-#include "gui/view/route_tool.hpp"
 #include "gui/view/task_bar.hpp"
-#include "gui/view/theme.hpp"
+#include "test/place_console.hpp"
 
 using namespace pilothouse;
 using namespace pilothouse::gui;
 
 namespace {
-
-int qt_warnings = 0;
-
-/// Keeps what was asked.
-struct Asked : PlaceAsks {
-  std::uint32_t id = 0;
-  std::vector<PlaceGoal> previews, goals;
-  std::vector<std::pair<Pose2, PoseSpread>> poses;
-  std::vector<RouteDraft> driven, saved;
-  std::vector<std::string> loaded;
-  std::vector<TaskCall> calls;
-  void preview(std::uint32_t i, const PlaceGoal& goal) override {
-    id = i;
-    previews.push_back(goal);
-  }
-  void goTo(const PlaceGoal& goal) override { goals.push_back(goal); }
-  void setPose(const Pose2& pose, const PoseSpread& spread) override {
-    poses.emplace_back(pose, spread);
-  }
-  void driveRoute(const RouteDraft& draft) override { driven.push_back(draft); }
-  void saveRoute(const RouteDraft& draft) override { saved.push_back(draft); }
-  void loadRoute(const std::string& name) override { loaded.push_back(name); }
-  void task(TaskCall call) override { calls.push_back(call); }
-};
-
-RobotDescription platform() {
-  RobotDescription r;
-  r.name = "platform";
-  r.title = "Platform";
-  r.footprint = {{{0.25, 0.20}}, {{-0.25, 0.20}}, {{-0.25, -0.20}}, {{0.25, -0.20}}};
-  return r;
-}
-
-template <class T>
-void deliver(Feed<T>& feed, std::shared_ptr<const T> what) {
-  const double now = steadySeconds();
-  feed.arrived(now, 1, "test", "/topic");
-  feed.deliver(Checked<std::shared_ptr<const T>>::of(std::move(what)), now, 0.0);
-}
-
-/// A room of 6 by 4 m with the robot in its middle, and a navigator.
-class PlaceConsole : public ::testing::Test {
- protected:
-  void SetUp() override {
-    MapGrid grid;
-    grid.header.frame_id = "map";
-    grid.info.resolution = 0.1F;
-    grid.info.width = 60;
-    grid.info.height = 40;
-    grid.info.origin.position.x = -3.0;
-    grid.info.origin.position.y = -2.0;
-    grid.info.origin.orientation.w = 1.0;
-    grid.classes.assign(2400, MapGrid::FREE);
-    for (std::size_t x = 0; x < 60; ++x) grid.classes[39 * 60 + x] = MapGrid::OCCUPIED;
-    deliver(state.place.map, *mapFromMessage(grid));
-    auto pose = std::make_shared<PoseReading>();
-    pose->frame = "map";
-    deliver<PoseReading>(state.place.pose, pose);
-    TaskReading idle;
-    idle.phase = TaskPhase::kIdle;
-    deliver<TaskReading>(state.place.task, std::make_shared<TaskReading>(idle));
-    window = std::make_unique<MainWindow>(
-        PanelContext{state, robot, nullptr, &helm, nullptr,
-                     [this](const std::function<void(PlaceAsks&)>& ask) { ask(asked); }},
-        false);
-    window->show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get()));
-    refresh();
-    place = window->findChild<PlaceView*>();
-    ASSERT_TRUE(place);
-    canvas = place->canvas();
-    ASSERT_TRUE(canvas->isVisible()) << "a map and a navigator: the map is what is looked at";
-  }
-  void refresh() {
-    QTest::qWait(60);  // two of the window's own rounds
-    window->refreshNow();
-  }
-  void press(int key, Qt::KeyboardModifiers with = Qt::NoModifier) {
-    QTest::keyClick(window.get(), static_cast<Qt::Key>(key), with);
-  }
-  QPoint at(double x, double y) const { return canvas->view().toPixel(x, y).toPoint(); }
-  void click(double x, double y) { QTest::mouseClick(canvas, Qt::LeftButton, {}, at(x, y)); }
-  void drag(Eigen::Vector2d from, Eigen::Vector2d to) {
-    QTest::mousePress(canvas, Qt::LeftButton, {}, at(from.x(), from.y()));
-    for (const double share : {0.5, 1.0}) {
-      const Eigen::Vector2d p = from + share * (to - from);
-      QMouseEvent move(QEvent::MouseMove, QPointF(at(p.x(), p.y())), Qt::NoButton, Qt::LeftButton,
-                       Qt::NoModifier);
-      QApplication::sendEvent(canvas, &move);
-    }
-    QTest::mouseRelease(canvas, Qt::LeftButton, {}, at(to.x(), to.y()));
-  }
-  void answer(bool way) {
-    Preview preview;
-    preview.id = asked.id;
-    preview.answered = true;
-    preview.found = way;
-    preview.why = way ? "" : "something stands there";
-    preview.path.points = {{0, 0}, {1, 0.5}, {2, 1}};
-    preview.path.length = 2.3;
-    if (!way) preview.nearest = Eigen::Vector2d(1.5, 0.5);
-    state.place.preview.set(std::make_shared<const Preview>(preview));
-    refresh();
-  }
-
-  ConsoleState state;
-  const RobotDescription robot = platform();
-  Helm helm{robot.drive};
-  Asked asked;
-  std::unique_ptr<MainWindow> window;
-  PlaceView* place = nullptr;
-  PlaceCanvas* canvas = nullptr;
-};
 
 TEST_F(PlaceConsole, aGoalIsShownWithItsWayBeforeItIsSent) {
   press(Qt::Key_G);
@@ -245,105 +118,6 @@ TEST_F(PlaceConsole, aPoseIsSetWithItsSpread) {
   EXPECT_TRUE(asked.previews.empty()) << "a pose needs no way";
 }
 
-TEST_F(PlaceConsole, aRouteIsEditedByMouseAndEveryStepTakenBack) {
-  press(Qt::Key_R);
-  RouteTool& route = place->routeTool();
-  click(-1, -1);
-  click(1, -1);
-  click(1, 0.5);
-  ASSERT_EQ(route.draft().points.size(), 3U);
-  click(0, -1);  // on the first leg
-  ASSERT_EQ(route.draft().points.size(), 4U);
-  EXPECT_NEAR(route.draft().points[1].goal.place.x(), 0.0, 0.05);
-  drag({1, 0.5}, {2, 0.0});
-  EXPECT_NEAR(route.draft().points[3].goal.place.x(), 2.0, 0.05);
-  const RouteDraft moved = route.draft();
-  press(Qt::Key_Delete);
-  EXPECT_EQ(route.draft().points.size(), 3U);
-  press(Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_EQ(route.draft(), moved);
-  for (int i = 0; i < 10; ++i) press(Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_TRUE(route.draft().empty());
-  for (int i = 0; i < 5; ++i) press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
-  EXPECT_EQ(route.draft(), moved);
-}
-
-TEST_F(PlaceConsole, aRouteIsEditedByKeysAloneAndSent) {
-  press(Qt::Key_R);
-  RouteTool& route = place->routeTool();
-  press(Qt::Key_Insert);
-  for (int i = 0; i < 4; ++i) press(Qt::Key_Right);  // the chosen point moves
-  press(Qt::Key_Insert);
-  for (int i = 0; i < 4; ++i) press(Qt::Key_Up);
-  ASSERT_EQ(route.draft().points.size(), 2U);
-  EXPECT_GT(route.draft().points[0].goal.place.x(), 0.1);
-  EXPECT_GT(route.draft().points[1].goal.place.y(), 0.1);
-  const Eigen::Vector2d first = route.draft().points[0].goal.place;
-  press(Qt::Key_PageUp);
-  EXPECT_EQ(route.draft().points[1].goal.place, first);
-  press(Qt::Key_O);
-  EXPECT_TRUE(route.draft().loop);
-  press(Qt::Key_BracketRight);
-  EXPECT_EQ(route.selected(), 1U);
-  route.setPause(4.0);
-  press(Qt::Key_Return);
-  ASSERT_EQ(asked.driven.size(), 1U);
-  EXPECT_EQ(asked.driven[0], route.draft());
-  press(Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_EQ(route.draft().points[1].pause, 0.0);
-  // A key held down is one step: both nudges of a point go with one undo each.
-  for (int i = 0; i < 3; ++i) press(Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_NEAR(route.draft().points[1].goal.place.y(), first.y(), 1e-9);
-}
-
-TEST_F(PlaceConsole, routesAreSavedUnderAGoodNameAndLoadedAsOneStep) {
-  press(Qt::Key_R);
-  click(1, 1);
-  click(2, 0);
-  press(Qt::Key_S, Qt::ControlModifier);
-  EXPECT_TRUE(asked.saved.empty()) << "it has no name";
-  auto* name = window->findChild<QLineEdit*>("route_name");
-  ASSERT_TRUE(name);
-  EXPECT_TRUE(name->hasFocus());
-  QTest::keyClicks(name, "ro/und");
-  EXPECT_EQ(place->routeTool().draft().name, "round");
-  press(Qt::Key_Return);
-  EXPECT_TRUE(asked.driven.empty()) << "Enter in a field only ends the field";
-  press(Qt::Key_S, Qt::ControlModifier);
-  ASSERT_EQ(asked.saved.size(), 1U);
-  const RouteDraft mine = place->routeTool().draft();
-  auto shelf = std::make_shared<RouteShelf>();
-  shelf->serial = 1;
-  shelf->route = RouteDraft{"other", true, {{{{0, 0}, 1.0}, 2.0}, {{{1, 1}, {}}, 0.0}}};
-  state.place.shelf.set(shelf);
-  refresh();
-  EXPECT_EQ(place->routeTool().draft(), *shelf->route);
-  press(Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_EQ(place->routeTool().draft().points, mine.points);
-}
-
-TEST_F(PlaceConsole, thePointUnderWayIsMarkedOnlyOfThisVeryRoute) {
-  press(Qt::Key_R);
-  click(-1, -1);
-  click(1, -1);
-  TaskReading task;
-  task.phase = TaskPhase::kRunning;
-  task.behaviour = "route";
-  deliver<TaskReading>(state.place.task, std::make_shared<TaskReading>(task));
-  NavigationReading navigation;
-  navigation.phase = NavigationPhase::kDriving;
-  navigation.points = 2;
-  navigation.point = 1;
-  navigation.goal = {7, 7};
-  deliver<NavigationReading>(state.place.navigation,
-                             std::make_shared<NavigationReading>(navigation));
-  EXPECT_FALSE(place->routeTool().underWay());
-  navigation.goal = place->routeTool().draft().points[1].goal.place;
-  deliver<NavigationReading>(state.place.navigation,
-                             std::make_shared<NavigationReading>(navigation));
-  EXPECT_EQ(place->routeTool().underWay(), 1U);
-}
-
 TEST_F(PlaceConsole, layersSwitchByTheirKeys) {
   const auto wall = [&] { return QColor(canvas->grab().toImage().pixel(at(-2, 1.95))); };
   EXPECT_EQ(wall(), QColor(mapCellColour(MapCell::kOccupied)));
@@ -431,23 +205,8 @@ TEST_F(PlaceConsole, aMapOfSixteenMillionCellsIsDrawnFromFewPixels) {
             QColor(mapCellColour(MapCell::kFree)));
 }
 
-void onMessage(QtMsgType type, const QMessageLogContext&, const QString& message) {
-  if (message.contains("propagateSizeHints")) return;  // of the offscreen platform itself
-  std::fprintf(stderr, "Qt: %s\n", qPrintable(message));
-  if (type != QtDebugMsg && type != QtInfoMsg) ++qt_warnings;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-  setenv("QT_QPA_PLATFORM", "offscreen", 1);
-  const QTemporaryDir runtime;
-  setenv("XDG_RUNTIME_DIR", qPrintable(runtime.path()), 1);
-  ::testing::InitGoogleTest(&argc, argv);
-  QApplication application(argc, argv);
-  theme::apply(application);
-  qInstallMessageHandler(onMessage);
-  const int result = RUN_ALL_TESTS();
-  if (qt_warnings > 0) std::fprintf(stderr, "%d Qt warnings\n", qt_warnings);
-  return result != 0 || qt_warnings > 0 ? 1 : 0;
+  return runPlaceTests(argc, argv);
 }

@@ -1,0 +1,116 @@
+// Routes on the map as the operator edits, saves, loads and sends them.
+
+#include <QLineEdit>
+
+#include "gui/view/route_tool.hpp"
+#include "test/place_console.hpp"
+
+using namespace pilothouse;
+using namespace pilothouse::gui;
+
+namespace {
+
+TEST_F(PlaceConsole, aRouteIsEditedByMouseAndEveryStepTakenBack) {
+  press(Qt::Key_R);
+  RouteTool& route = place->routeTool();
+  click(-1, -1);
+  click(1, -1);
+  click(1, 0.5);
+  ASSERT_EQ(route.draft().points.size(), 3U);
+  click(0, -1);  // on the first leg
+  ASSERT_EQ(route.draft().points.size(), 4U);
+  EXPECT_NEAR(route.draft().points[1].goal.place.x(), 0.0, 0.05);
+  drag({1, 0.5}, {2, 0.0});
+  EXPECT_NEAR(route.draft().points[3].goal.place.x(), 2.0, 0.05);
+  const RouteDraft moved = route.draft();
+  press(Qt::Key_Delete);
+  EXPECT_EQ(route.draft().points.size(), 3U);
+  press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(route.draft(), moved);
+  for (int i = 0; i < 10; ++i) press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(route.draft().empty());
+  for (int i = 0; i < 5; ++i) press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_EQ(route.draft(), moved);
+}
+
+TEST_F(PlaceConsole, aRouteIsEditedByKeysAloneAndSent) {
+  press(Qt::Key_R);
+  RouteTool& route = place->routeTool();
+  press(Qt::Key_Insert);
+  for (int i = 0; i < 4; ++i) press(Qt::Key_Right);  // the chosen point moves
+  press(Qt::Key_Insert);
+  for (int i = 0; i < 4; ++i) press(Qt::Key_Up);
+  ASSERT_EQ(route.draft().points.size(), 2U);
+  EXPECT_GT(route.draft().points[0].goal.place.x(), 0.1);
+  EXPECT_GT(route.draft().points[1].goal.place.y(), 0.1);
+  const Eigen::Vector2d first = route.draft().points[0].goal.place;
+  press(Qt::Key_PageUp);
+  EXPECT_EQ(route.draft().points[1].goal.place, first);
+  press(Qt::Key_O);
+  EXPECT_TRUE(route.draft().loop);
+  press(Qt::Key_BracketRight);
+  EXPECT_EQ(route.selected(), 1U);
+  route.setPause(4.0);
+  press(Qt::Key_Return);
+  ASSERT_EQ(asked.driven.size(), 1U);
+  EXPECT_EQ(asked.driven[0], route.draft());
+  press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(route.draft().points[1].pause, 0.0);
+  // A key held down is one step: both nudges of a point go with one undo each.
+  for (int i = 0; i < 3; ++i) press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_NEAR(route.draft().points[1].goal.place.y(), first.y(), 1e-9);
+}
+
+TEST_F(PlaceConsole, routesAreSavedUnderAGoodNameAndLoadedAsOneStep) {
+  press(Qt::Key_R);
+  click(1, 1);
+  click(2, 0);
+  press(Qt::Key_S, Qt::ControlModifier);
+  EXPECT_TRUE(asked.saved.empty()) << "it has no name";
+  auto* name = window->findChild<QLineEdit*>("route_name");
+  ASSERT_TRUE(name);
+  EXPECT_TRUE(name->hasFocus());
+  QTest::keyClicks(name, "ro/und");
+  EXPECT_EQ(place->routeTool().draft().name, "round");
+  press(Qt::Key_Return);
+  EXPECT_TRUE(asked.driven.empty()) << "Enter in a field only ends the field";
+  press(Qt::Key_S, Qt::ControlModifier);
+  ASSERT_EQ(asked.saved.size(), 1U);
+  const RouteDraft mine = place->routeTool().draft();
+  auto shelf = std::make_shared<RouteShelf>();
+  shelf->serial = 1;
+  shelf->route = RouteDraft{"other", true, {{{{0, 0}, 1.0}, 2.0}, {{{1, 1}, {}}, 0.0}}};
+  state.place.shelf.set(shelf);
+  refresh();
+  EXPECT_EQ(place->routeTool().draft(), *shelf->route);
+  press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(place->routeTool().draft().points, mine.points);
+}
+
+TEST_F(PlaceConsole, thePointUnderWayIsMarkedOnlyOfThisVeryRoute) {
+  press(Qt::Key_R);
+  click(-1, -1);
+  click(1, -1);
+  TaskReading task;
+  task.phase = TaskPhase::kRunning;
+  task.behaviour = "route";
+  deliver<TaskReading>(state.place.task, std::make_shared<TaskReading>(task));
+  NavigationReading navigation;
+  navigation.phase = NavigationPhase::kDriving;
+  navigation.points = 2;
+  navigation.point = 1;
+  navigation.goal = {7, 7};
+  deliver<NavigationReading>(state.place.navigation,
+                             std::make_shared<NavigationReading>(navigation));
+  EXPECT_FALSE(place->routeTool().underWay());
+  navigation.goal = place->routeTool().draft().points[1].goal.place;
+  deliver<NavigationReading>(state.place.navigation,
+                             std::make_shared<NavigationReading>(navigation));
+  EXPECT_EQ(place->routeTool().underWay(), 1U);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return runPlaceTests(argc, argv);
+}
