@@ -68,7 +68,6 @@ void ConversionThread::run() {
     convert(objects, state_.objects, [](const auto& list) { return objectsFromMessage(list); });
     convert(standing, state_.place.standing,
             [](const auto& list) { return objectsFromMessage(list); });
-    convert(map, state_.place.map, [](const auto& grid) { return mapFromMessage(grid); });
   }
 }
 

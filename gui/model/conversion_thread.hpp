@@ -9,7 +9,6 @@
 
 #include "gui/model/console_state.hpp"
 #include "gui/model/conversions.hpp"
-#include "gui/model/conversions_place.hpp"
 
 namespace pilothouse::gui {
 
@@ -25,7 +24,6 @@ class ConversionThread {
   Mailbox<sensor_msgs::CompressedImage> coded;
   Mailbox<FloorGrid> floor;
   Mailbox<ObjectList> objects, standing;
-  Mailbox<MapGrid> map;
   Guarded<boost::shared_ptr<const sensor_msgs::CameraInfo>> info;
   /// Whether the cloud stands in for the depth and for the colour picture.
   std::atomic<bool> cloud_as_depth{false}, cloud_as_colour{false};

@@ -17,7 +17,7 @@ constexpr double kSilent = 0.5;   // s without `pose` until tf is asked
 PlaceStreams::PlaceStreams(ros::NodeHandle& node, ConsoleState& state,
                            ConversionThread& conversions, const tf2_ros::Buffer& transforms)
     : node_(node), state_(state), conversions_(conversions), transforms_(transforms) {
-  listenToPicture("map_cells", conversions_.map, state_.place.map);
+  listenToMap();
   listenToPicture("static_objects", conversions_.standing, state_.place.standing);
   listenTo<geometry_msgs::PoseWithCovarianceStamped, PoseReading>("pose", state_.place.pose,
                                                                   poseFromMessage);
@@ -70,6 +70,31 @@ void PlaceStreams::listenTo(const std::string& topic, Feed<Reading>& feed,
       [&feed](const std::string& reason) { feed.reject(reason, steadySeconds()); });
   options.transport_hints = ros::TransportHints().tcpNoDelay();
   subscribers_[topic] = node_.subscribe(options);
+}
+
+void PlaceStreams::listenToMap() {
+  const std::string name = node_.resolveName("map_cells");
+  // The painter may be at its work still when this connection has gone: it holds what it needs.
+  const auto paint = [maps = maps_, &feed = state_.place.map] {
+    const Arrival<MapGrid> arrival = maps->take();
+    if (!arrival.message) return;
+    try {
+      feed.deliver(mapFromMessage(*arrival.message), arrival.at, 0.0);
+    } catch (const std::exception& error) {  // out of memory: the map before stays
+      feed.reject(error.what(), arrival.at);
+    }
+  };
+  auto options = guardedOptions<MapGrid>(
+      "map_cells", 2,
+      [this, name, paint](const ros::MessageEvent<const MapGrid>& event) {
+        const auto message = event.getConstMessage();
+        const double now = steadySeconds();
+        state_.place.map.arrived(now, message->header.seq, event.getPublisherName(), name);
+        if (maps_->put({message, now, 0.0, name})) state_.place.map.overwritten();
+        map_painter_.addIdle("map", paint);
+      },
+      [this](const std::string& reason) { state_.place.map.reject(reason, steadySeconds()); });
+  subscribers_["map_cells"] = node_.subscribe(options);
 }
 
 void PlaceStreams::listenToPath() {
