@@ -159,7 +159,12 @@ TEST_F(StopGateProcess, IsIdleWithoutACommand) {
   robot.speed = 0.0;
   for (int i = 0; i < kTries; ++i) {
     robot.command = true;
-    armUntil([](const StopState& s, double) { return s.state == StopState::RUNNING; });
+    // Commands of zero have come in: the one before may still be driven.
+    std::uint32_t moved = 0;
+    armUntil([&moved](const StopState& s, double speed) {
+      if (moved == 0 || s.state != StopState::RUNNING || speed != 0.0) moved = s.beat;
+      return s.state == StopState::RUNNING && s.beat - moved > 10;
+    });
     robot.command = false;
     ASSERT_TRUE(
         robot.wait([](const StopState& s, double) { return idle(s, 0.0) || stopped(s, 0.0); }));
