@@ -17,9 +17,6 @@ constexpr double kHeardAfter = 0.15;  // reports so soon after an order may be o
 constexpr double kGotOn = 0.05;       // nearer by so much is getting on [m]
 constexpr double kTurned = 0.15;      // and so is turning by so much [rad] ...
 constexpr double kLongestTurn = 12.0;    // ... for so long [s]
-constexpr double kElsewhere = 0.5;       // stuck so far from the last time is another case [m]
-constexpr double kLongestLook = 6.0;     // [s]
-constexpr double kLongestBack = 12.0;    // [s]
 constexpr double kMuchShorter = 0.85;    // a new way is taken when it is below this ...
 constexpr double kShorterAtLeast = 0.2;  // ... and shorter by so much [m]
 constexpr double kTrailStep = 0.05;      // [m]
@@ -190,6 +187,9 @@ void GoalNavigator::drive(const NavigationInput& input) {
       replan(input);
       return;
     }
+    if (!blocked && now_ - sought_ > kTryAgain && !planner_.roomy(rest(*input.pose))) {
+      seekRoomier(input);
+    }
   }
   if (path_.empty() && now_ - sought_ > kTryAgain && replan(input)) return;
   if (ended()) return;
@@ -229,6 +229,19 @@ void GoalNavigator::seekShorter(const NavigationInput& input) {
   take(std::move(plan));
 }
 
+/// Things turn out larger the more of them is seen: while it can still go by them, it goes by with
+/// the room that a way should have. A new way is not getting on.
+void GoalNavigator::seekRoomier(const NavigationInput& input) {
+  sought_ = now_;
+  Plan plan = planner_.plan(request(input));
+  if (!plan) return;
+  const double got_on = got_on_, turned_on = turned_on_;
+  ++plans_;
+  take(std::move(plan));
+  got_on_ = got_on;
+  turned_on_ = turned_on;
+}
+
 void GoalNavigator::arrive(const NavigationInput& input) {
   const double off = (input.pose->position() - goal_.place).norm();
   const double turn = goal_.heading ? std::abs(wrapped(*goal_.heading - input.pose->heading)) : 0.0;
@@ -243,83 +256,6 @@ void GoalNavigator::arrive(const NavigationInput& input) {
                 "stands %.2f m and %.0f degrees off the goal and comes no nearer", off,
                 turn * 180.0 / 3.14159265358979);
   if (++arrivals_ > kArrivals) return fail(text, std::nullopt);
-  replan(input);
-}
-
-/// The next measure of the ladder: plan anew, look round, back off, rest; some times over.
-void GoalNavigator::stuck(const NavigationInput& input) {
-  const double off = (input.pose->position() - goal_.place).norm();
-  if (off < stuck_off_ - kElsewhere) {
-    tries_ = 0;
-    measure_ = Measure::kReplan;
-    stuck_off_ = off;
-  }
-  if (!text_.empty()) stuck_by_ = text_;
-  got_on_ = turned_on_ = now_;
-  if (measure_ == Measure::kReplan) {
-    measure_ = Measure::kLook;
-    // Nothing known is in the way: the same way would come out again.
-    const bool same = !path_.empty() && planner_.free(rest(*input.pose));
-    if (!same && (replan(input) || ended())) return;
-  }
-  if (measure_ == Measure::kLook) {
-    measure_ = Measure::kBack;
-    if (parameters_.look_angle > 0.0) return lookRound(input);
-  }
-  if (measure_ == Measure::kBack) {
-    measure_ = Measure::kRest;
-    if (backOff(input)) return;
-  }
-  measure_ = Measure::kReplan;
-  if (++tries_ < parameters_.tries) {
-    replan(input);
-    return;
-  }
-  const Plan plan = planner_.plan(request(input));
-  const std::string tried = "gave up after " + std::to_string(tries_) + " tries: ";
-  fail(tried + (plan ? stuck_by_ : textOf(plan.why)), plan.nearest);
-}
-
-/// To one side, to the other, and back; each a route of one point.
-void GoalNavigator::lookRound(const NavigationInput& input) {
-  looks_ = 0;
-  look_from_ = *input.pose;
-  lookTo(0);
-}
-
-void GoalNavigator::lookTo(int look) {
-  const double turns[] = {parameters_.look_angle, -parameters_.look_angle, 0.0};
-  looks_ = look;
-  path_.clear();
-  send({look_from_}, wrapped(look_from_.heading + turns[look]));
-  enter(NavigationPhase::kLooking);
-  text_ = "looks round: " + stuck_by_;
-}
-
-/// To where it came from.
-bool GoalNavigator::backOff(const NavigationInput& input) {
-  if (!(parameters_.back_distance > 0.0)) return false;
-  for (auto place = trail_.rbegin(); place != trail_.rend(); ++place) {
-    const double off = (place->position() - input.pose->position()).norm();
-    if (off < parameters_.back_distance) continue;
-    Plan plan = planner_.plan({*input.pose, place->position(), std::nullopt});
-    if (!plan || plan.length > 4.0 * parameters_.back_distance) return false;
-    path_.clear();
-    send(std::move(plan.poses), std::nullopt);
-    enter(NavigationPhase::kBacking);
-    text_ = "backs off: " + stuck_by_;
-    return true;
-  }
-  return false;
-}
-
-void GoalNavigator::manoeuvre(const NavigationInput& input) {
-  if (input.halted) since_ = now_;
-  const bool looking = phase_ == NavigationPhase::kLooking;
-  const bool over = now_ - since_ > (looking ? kLongestLook : kLongestBack);
-  if (!over && !isHeard(input, ExecutorReport::kReached)) return;
-  if (looking && looks_ < 2) return lookTo(looks_ + 1);
-  got_on_ = turned_on_ = now_;
   replan(input);
 }
 

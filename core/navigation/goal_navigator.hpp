@@ -93,6 +93,7 @@ class GoalNavigator {
   void arrive(const NavigationInput& input);
   bool replan(const NavigationInput& input);
   void seekShorter(const NavigationInput& input);
+  void seekRoomier(const NavigationInput& input);
   void stuck(const NavigationInput& input);
   void lookRound(const NavigationInput& input);
   void lookTo(int look);

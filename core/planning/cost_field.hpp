@@ -37,8 +37,9 @@ class CostField {
   }
   const std::vector<std::uint8_t>& weights() const { return weights_; }
   std::uint8_t weight(int x, int y) const { return weights_[index(x, y)]; }
-  /// For a search that must keep off a cell though nothing is there; until the next update there.
-  void close(int x, int y) { weights_[index(x, y)] = 0; }
+  /// For a search that must keep off a cell though nothing is there, or may go there though it is
+  /// near to something; until the next update there.
+  void set(int x, int y, int weight) { weights_[index(x, y)] = static_cast<std::uint8_t>(weight); }
 
   /// Distance from the cell's middle to the edge of the nearest blocked cell, straight; too little
   /// by a fifth of a cell at most where that lies askew [m]. Large where it is beyond the reach.

@@ -4,18 +4,12 @@
 #include <vector>
 
 #include "core/motion/base_parameters.hpp"
-#include "core/planning/footprint_check.hpp"
-#include "core/planning/grid_search.hpp"
-#include "core/planning/no_way.hpp"
+#include "core/planning/marked_map.hpp"
+#include "core/planning/outline_walk.hpp"
 #include "core/planning/path_smoother.hpp"
+#include "core/planning/plan_ends.hpp"
 
 namespace pilothouse {
-
-struct PlanRequest {
-  Pose2 start;                     ///< map frame
-  Eigen::Vector2d goal{0.0, 0.0};  ///< map frame [m]
-  std::optional<double> heading;   ///< at the goal; none: as it comes [rad]
-};
 
 struct Plan {
   NoWay why = NoWay::kNone;  ///< why there is none
@@ -40,68 +34,52 @@ class Planner {
   /// @throws std::invalid_argument listing every fault of the parameters.
   Planner(const PlanningParameters& parameters, const Footprint& footprint, BaseKind base);
 
+  using Mark = MapMark;
   /// A new map; marks stay. @throws std::invalid_argument naming what is wrong with its size.
-  void setMap(const MapCells& map);
-  bool hasMap() const { return map_.size_x > 0; }
-  const MapCells& map() const { return map_; }  ///< marks included
-  /// Things seen now, whether the map has them or not: discs [m], map frame.
-  struct Mark {
-    Eigen::Vector2d place;
-    double radius;
-    MapCell kind = MapCell::kOccupied;
-  };
-  /// Replaces all earlier marks. What lies within a cell of something as grave in the map is that.
-  /// @return whether anything changed.
-  bool mark(const std::vector<Mark>& marks);
+  void setMap(const MapCells& map) { map_.take(map, field_); }
+  bool hasMap() const { return map().size_x > 0; }
+  const MapCells& map() const { return map_.cells(); }  ///< marks included
+  /// Replaces all earlier marks. @return whether anything changed.
+  bool mark(const std::vector<Mark>& marks) { return map_.mark(marks, field_); }
   /// Another number whenever map or marks have changed.
-  std::uint32_t revision() const { return revision_; }
+  std::uint32_t revision() const { return map_.revision(); }
 
   Plan plan(const PlanRequest& request);
   /// As if there were no marks: whether what is in the way may go away again.
   Plan planWithoutMarks(const PlanRequest& request);
   /// Whether a way is still free: the bare outline touches nothing on it. @param poses map frame.
-  bool free(const std::vector<Pose2>& poses) const;
+  bool free(const std::vector<Pose2>& poses) const { return touchesNothing(bare_, poses); }
+  /// And with half of the clearance round it.
+  bool roomy(const std::vector<Pose2>& poses) const { return touchesNothing(check_, poses); }
 
   const CostField& field() const { return field_; }
   const FootprintCheck& check() const { return check_; }
   const PlanningParameters& parameters() const { return parameters_; }
 
  private:
-  struct Ends {
-    Cell start, goal;
-    bool has_start = false;
-    bool escaped = false;  ///< the start is not where the robot stands, but the nearest free cell
-  };
-  bool known(int x, int y, MapCell kind) const;
-  void putMarks();
-  NoWay findEnds(const PlanRequest& request, Ends& ends) const;
-  std::optional<Cell> wayOut(const Pose2& start) const;
-  NoWay judgeGoal(const PlanRequest& request, const Cell& goal) const;
-  void fail(NoWay why, const PlanRequest& request, const Ends& ends, Plan& plan);
-  void lay(const PlanRequest& request, const Ends& ends, Plan& plan);
+  NoWay search(const PlanRequest& request, const PlanEnds& ends, Plan& plan);
+  void openRound(const Pose2& start);
+  void fail(NoWay why, const PlanRequest& request, const PlanEnds& ends, Plan& plan);
+  void lay(const PlanRequest& request, const PlanEnds& ends, Plan& plan);
   std::optional<Pose2> touchOf(const PlanRequest& request, Plan& plan);
-  std::optional<Pose2> firstTouch(const FootprintCheck& check, const PlanRequest& request,
-                                  const Route& route) const;
   bool tighten(const Eigen::Vector2d& touch);
-  void close(const Pose2& touch, int attempt, const Ends& ends);
-  void reopen();
+  void close(const Pose2& touch, int attempt, const PlanEnds& ends);
+  void restore();
   void putPoses(const PlanRequest& request, Plan& plan) const;
+  bool touchesNothing(const FootprintCheck& check, const std::vector<Pose2>& poses) const;
   bool turns() const;
 
   PlanningParameters parameters_;
   BaseKind base_;
   FootprintCheck check_, bare_;  ///< with and without something to spare
   CostField field_;
-  MapCells clean_, map_;  ///< without and with marks
-  std::vector<Mark> marks_;
-  std::vector<std::size_t> marked_, marking_;  ///< cell * 8 + kind, rising
-  std::uint32_t revision_ = 0;
+  MarkedMap map_;
   GridSearch search_;
   PathSmoother smoother_;
   std::vector<Cell> cells_;
   std::vector<GridPoint> grid_points_;
   std::vector<Eigen::Vector2d> points_;
-  CellWindow closed_;
+  CellWindow altered_;  ///< cells closed and opened for a search
 };
 
 }  // namespace pilothouse

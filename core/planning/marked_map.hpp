@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/mapping/map_cells.hpp"
+#include "core/planning/cost_field.hpp"
+
+namespace pilothouse {
+
+/// Something seen now, whether the map has it or not: a disc, map frame.
+struct MapMark {
+  Eigen::Vector2d place;  ///< [m]
+  double radius;          ///< [m], below 10
+  MapCell kind = MapCell::kOccupied;
+};
+
+/// A map with what is seen now laid upon it.
+class MarkedMap {
+ public:
+  /// A new map; marks stay. `field` is of what comes of it.
+  /// @throws std::invalid_argument naming what is wrong with its size.
+  void take(const MapCells& map, CostField& field);
+  /// Replaces all earlier marks. What lies within a cell of something as grave in the map is that.
+  /// @return whether anything changed.
+  bool mark(const std::vector<MapMark>& marks, CostField& field);
+
+  const MapCells& cells() const { return map_; }  ///< marks included
+  const std::vector<MapMark>& marks() const { return marks_; }
+  /// Another number whenever map or marks have changed.
+  std::uint32_t revision() const { return revision_; }
+  /// For a look at what the map would be without them that leaves no trace.
+  void setRevision(std::uint32_t revision) { revision_ = revision; }
+
+ private:
+  bool known(int x, int y, MapCell kind) const;
+  void layOut(const MapMark& mark);
+  void put(CostField& field);
+
+  MapCells clean_, map_;  ///< without and with marks
+  std::vector<MapMark> marks_;
+  std::vector<std::size_t> marked_, marking_;  ///< cell * 8 + kind, rising
+  std::uint32_t revision_ = 0;
+};
+
+}  // namespace pilothouse
