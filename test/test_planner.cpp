@@ -192,7 +192,7 @@ TEST(Planner, RefusesEndsThatCannotBe) {
   EXPECT_EQ(planner.plan(turned).why, NoWay::kNotFinite);
   EXPECT_EQ(planner.plan(from(1e300, 1.0, 2.0, 2.0)).why, NoWay::kNotFinite);
   EXPECT_EQ(planner.plan(from(-1.0, 1.0, 2.0, 2.0)).why, NoWay::kStartOutside);
-  Plan plan = planner.plan(from(1.0, 1.0, 9.0, 1.0));
+  Plan plan = planner.plan(from(1.0, 1.0, 90.0, 1.0));
   EXPECT_EQ(plan.why, NoWay::kGoalOutside);
   ASSERT_TRUE(plan.nearest);
   EXPECT_GT(plan.nearest->x(), 4.5);
@@ -208,6 +208,49 @@ TEST(Planner, RefusesEndsThatCannotBe) {
   planner.setMap(cell.map);
   EXPECT_EQ(planner.plan(from(1.0, 1.0, 3.0, 3.0)).why, NoWay::kStartBlocked);
   EXPECT_THROW(planner.setMap(MapCells{}), std::invalid_argument);
+}
+
+TEST(Planner, TakesWhatLiesOutsideTheMapForFloorThatNobodyHasSeen) {
+  MapRoom room(100, 100);
+  room.fill(99, 40, 100, 60, MapCell::kFree);  // a door at the map's edge
+  Planner planner = roundPlanner();
+  planner.setMap(room.map);
+  const Plan plan = planner.plan(from(1.0, 2.5, 8.0, 2.5));
+  ASSERT_TRUE(plan) << textOf(plan.why);
+  EXPECT_NEAR(plan.length, 7.0, 0.1);
+  planner.setMap(room.map);
+  EXPECT_TRUE(planner.map().contains(planner.map().column(8.0), planner.map().row(2.5)))
+      << "the next map is laid out for that goal too";
+
+  PlanningParameters careful;
+  careful.unknown = UnknownFloor::kNever;
+  Planner never = roundPlanner(careful);
+  never.setMap(room.map);
+  EXPECT_EQ(never.plan(from(1.0, 2.5, 8.0, 2.5)).why, NoWay::kGoalOutside);
+  EXPECT_EQ(never.plan(from(1.0, 2.5, 4.85, 2.5)).why, NoWay::kGoalTight) << "too near the edge";
+}
+
+TEST(Planner, GoesOnAlongWhatItStandsTooNearTo) {
+  MapRoom room(120, 60);
+  Planner planner({}, box(0.25, 0.2), BaseKind::kDifferential);
+  planner.setMap(room.map);
+  // Beside the wall, where it cannot turn: 0.27 m from its middle to the wall's face.
+  const Plan plan = planner.plan(from(2.0, 0.32, 4.0, 0.8));
+  ASSERT_TRUE(plan) << textOf(plan.why);
+  const Eigen::Vector2d first = plan.poses[1].position() - plan.poses[0].position();
+  EXPECT_LT(std::abs(std::atan2(first.y(), first.x())), 0.8) << "not square away from it";
+}
+
+TEST(Planner, KnowsAWayThatIsFreeButTight) {
+  MapRoom room(120, 60);
+  Planner planner({}, box(0.25, 0.2), BaseKind::kDifferential);
+  planner.setMap(room.map);
+  const Plan plan = planner.plan(from(1.0, 1.51, 4.0, 1.51));
+  ASSERT_TRUE(plan);
+  EXPECT_TRUE(planner.roomy(plan.poses));
+  planner.mark({{{2.5, 1.78}, 0.02}});
+  EXPECT_TRUE(planner.free(plan.poses));
+  EXPECT_FALSE(planner.roomy(plan.poses));
 }
 
 TEST(Planner, GetsAwayFromWhatItStandsTooNearTo) {

@@ -52,6 +52,8 @@ class CostField {
   }
   /// Least clearance that a cell with a weight has [m].
   double least() const { return least_; }
+  /// Clearances are told up to this [m].
+  double reach() const { return reach_; }
 
  private:
   void layOut(double cell_size);

@@ -2,15 +2,64 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pilothouse {
+namespace {
+
+constexpr double kBeyond = 1.0;  // so much more than a place that is to be covered [m]
+
+}  // namespace
 
 using Eigen::Vector2d;
 
+/// With floor that nobody has seen round it, as far as is asked for; refused maps as they are.
+MapCells MarkedMap::grown(const MapCells& map) const {
+  const auto cells = static_cast<std::size_t>(std::max(0, map.size_x)) *
+                     static_cast<std::size_t>(std::max(0, map.size_y));
+  if (!(map.cell_size > 0.0) || map.size_x < 1 || map.size_y < 1 || map.cells.size() != cells)
+    return map;
+  CellWindow whole{-rim_, -rim_, map.size_x + rim_, map.size_y + rim_};
+  if (covered_) {
+    const int beyond = static_cast<int>(kBeyond / map.cell_size);
+    const int x = map.column(covered_->x()), y = map.row(covered_->y());
+    if (!map.contains(x, y)) {
+      whole.include(x - beyond, y - beyond);
+      whole.include(x + beyond, y + beyond);
+    }
+  }
+  MapCells all;
+  all.cell_size = map.cell_size;
+  all.origin_x = map.origin_x + whole.x0 * map.cell_size;
+  all.origin_y = map.origin_y + whole.y0 * map.cell_size;
+  all.size_x = whole.x1 - whole.x0;
+  all.size_y = whole.y1 - whole.y0;
+  if (all.size_x > CostField::kMostSide || all.size_y > CostField::kMostSide) return map;
+  all.cells.assign(static_cast<std::size_t>(all.size_x) * static_cast<std::size_t>(all.size_y),
+                   MapCell::kUnknown);
+  for (int y = 0; y < map.size_y; ++y) {
+    const auto row = map.cells.begin() + static_cast<std::ptrdiff_t>(map.index(0, y));
+    std::copy(row, row + map.size_x,
+              all.cells.begin() + static_cast<std::ptrdiff_t>(all.index(-whole.x0, y - whole.y0)));
+  }
+  return all;
+}
+
+void MarkedMap::cover(const Vector2d& place, CostField& field) {
+  covered_ = place;
+  take(MapCells(clean_), field);
+}
+
 void MarkedMap::take(const MapCells& map, CostField& field) {
-  field.take(map);
-  clean_ = map;
-  map_ = map;
+  if (rim_ > 0 || covered_) {
+    MapCells all = grown(map);
+    field.take(all);
+    clean_ = std::move(all);
+  } else {
+    field.take(map);
+    clean_ = map;
+  }
+  map_ = clean_;
   marked_.clear();
   ++revision_;
   mark(std::vector<MapMark>(marks_), field);

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/mapping/map_cells.hpp"
@@ -19,6 +20,10 @@ struct MapMark {
 /// A map with what is seen now laid upon it.
 class MarkedMap {
  public:
+  /// Lays this many cells of floor that nobody has seen round every map from now on.
+  void surround(int rim) { rim_ = rim; }
+  /// And so many that a place lies among them: the way there leads out of the map.
+  void cover(const Eigen::Vector2d& place, CostField& field);
   /// A new map; marks stay. `field` is of what comes of it.
   /// @throws std::invalid_argument naming what is wrong with its size.
   void take(const MapCells& map, CostField& field);
@@ -34,6 +39,7 @@ class MarkedMap {
   void setRevision(std::uint32_t revision) { revision_ = revision; }
 
  private:
+  MapCells grown(const MapCells& map) const;
   bool known(int x, int y, MapCell kind) const;
   void layOut(const MapMark& mark);
   void put(CostField& field);
@@ -42,6 +48,8 @@ class MarkedMap {
   std::vector<MapMark> marks_;
   std::vector<std::size_t> marked_, marking_;  ///< cell * 8 + kind, rising
   std::uint32_t revision_ = 0;
+  int rim_ = 0;
+  std::optional<Eigen::Vector2d> covered_;
 };
 
 }  // namespace pilothouse

@@ -13,9 +13,10 @@ using Eigen::Vector2d;
 constexpr int kAttempts = 16;     // searches, each with more places closed
 constexpr int kTightenings = 60;  // of corners, in one of them
 constexpr double kCorner = 0.3;   // a corner is led round by points so far before and behind [m]
-constexpr double kShortestLeg = 0.1;  // legs beside a corner are not made shorter [m]
-constexpr double kNearCorner = 0.6;   // touching farther from a corner is not its fault [m]
-constexpr int kEscapeWeight = 6 * CostField::kPlain;
+constexpr double kShortestLeg = 0.1;    // legs beside a corner are not made shorter [m]
+constexpr double kNearCorner = 0.6;     // touching farther from a corner is not its fault [m]
+constexpr double kFarthestGoal = 50.0;  // from the map's middle [m]
+constexpr int kEscapeWeight = 2 * CostField::kPlain;
 
 const PlanningParameters& checked(const PlanningParameters& parameters) {
   std::string all;
@@ -209,8 +210,27 @@ NoWay Planner::search(const PlanRequest& request, const PlanEnds& ends, Plan& pl
   return at_goal ? NoWay::kGoalTight : NoWay::kTooNarrow;
 }
 
+void Planner::setMap(const MapCells& map) {
+  // What lies outside was never seen either.
+  if (parameters_.unknown == UnknownFloor::kNever && map.cell_size > 0.0) {
+    map_.surround(static_cast<int>(std::ceil(field_.reach() / map.cell_size)));
+  }
+  map_.take(map, field_);
+}
+
+/// Floor that nobody has seen goes on outside the map: a goal there can be driven to.
+void Planner::coverGoal(const Vector2d& goal) {
+  if (parameters_.unknown == UnknownFloor::kNever || !hasMap() || !goal.allFinite()) return;
+  const MapCells& map = this->map();
+  const Vector2d middle(map.origin_x + 0.5 * map.size_x * map.cell_size,
+                        map.origin_y + 0.5 * map.size_y * map.cell_size);
+  if (!((goal - middle).cwiseAbs().maxCoeff() < kFarthestGoal)) return;
+  if (!map.contains(map.column(goal.x()), map.row(goal.y()))) map_.cover(goal, field_);
+}
+
 Plan Planner::plan(const PlanRequest& request) {
   Plan plan;
+  coverGoal(request.goal);
   const PlanEnds ends = findEnds(field_, map(), check_, request, parameters_.escape);
   if (ends.why != NoWay::kNone) {
     fail(ends.why, request, ends, plan);

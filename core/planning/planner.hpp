@@ -36,7 +36,7 @@ class Planner {
 
   using Mark = MapMark;
   /// A new map; marks stay. @throws std::invalid_argument naming what is wrong with its size.
-  void setMap(const MapCells& map) { map_.take(map, field_); }
+  void setMap(const MapCells& map);
   bool hasMap() const { return map().size_x > 0; }
   const MapCells& map() const { return map_.cells(); }  ///< marks included
   /// Replaces all earlier marks. @return whether anything changed.
@@ -58,6 +58,7 @@ class Planner {
 
  private:
   NoWay search(const PlanRequest& request, const PlanEnds& ends, Plan& plan);
+  void coverGoal(const Eigen::Vector2d& goal);
   void openRound(const Pose2& start);
   void fail(NoWay why, const PlanRequest& request, const PlanEnds& ends, Plan& plan);
   void lay(const PlanRequest& request, const PlanEnds& ends, Plan& plan);
