@@ -48,6 +48,7 @@ std::string jsonOf(const StopResult& result, int number) {
   line.text("eval", "stop").whole("number", number).text("fault", result.fault);
   line.number("to_zero", result.to_zero).number("up_again", result.up_again);
   line.whole("commands_before_arming", result.commands_after).number("moved", result.moved);
+  if (result.in_flight > 0) line.whole("in_flight", result.in_flight);
   return line.text("cause", result.cause).str();
 }
 

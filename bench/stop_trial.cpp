@@ -18,6 +18,7 @@ constexpr double kWatched = 1.2;   // so long after a fault it is left as it is 
 constexpr double kHeld = 0.5;      // and watched when all is well again, before arming [s]
 constexpr double kBrakes = 0.7;    // the base needs to stand still [s]
 constexpr double kFront = 0.25;    // of the robot's outline before its middle [m]
+constexpr double kOneStep = 0.03;  // of a gate that wakes up, with its sending [s]
 constexpr double kGap = 0.95;      // within the stop distance, and where the camera can see [m]
 constexpr double kResumes = 6.0;   // a robot that stands so long stands for good [s]
 constexpr double kDriving = 0.25;  // [m/s]
@@ -87,6 +88,11 @@ StopResult tryFault(StopRig& rig, const StopFault& fault, std::mt19937& random) 
   pause(kHeld);
   result.commands_after =
       watch.commandsAfter(std::isnan(zero) ? healed : zero + (fault.base_halts ? 0.1 : 0.0));
+  if (fault.base_halts && fault.heal) {
+    const int late = result.commands_after - watch.commandsAfter(healed + kOneStep);
+    result.in_flight = std::clamp(late, 0, 1);
+    result.commands_after -= result.in_flight;
+  }
   if (!fault.restarts_robot) {
     const auto farthest = watch.farthestSince(from + std::min(result.to_zero, 0.5) + kBrakes);
     result.moved = std::hypot(farthest.pose.x, farthest.pose.y);

@@ -16,9 +16,11 @@ struct StopResult {
   std::string cause;     ///< in the gate's words
   double to_zero = 0.0;  ///< from the fault to the command (or the base's own halt) [s]; NaN: never
   int commands_after = 0;  ///< that were not zero, after it and before arming
-  double moved = 0.0;      ///< of the base between its standstill and arming [m]
-  double up_again = 0.0;   ///< until it could be armed: from the fault where something had to start
-                           ///< anew, else from its end [s]
+  /// Of a gate that was halted: the command that it had sent before may arrive when it wakes up.
+  int in_flight = 0;
+  double moved = 0.0;     ///< of the base between its standstill and arming [m]
+  double up_again = 0.0;  ///< until it could be armed: from the fault where something had to start
+                          ///< anew, else from its end [s]
 };
 
 /// Drives, lets the fault happen at a random instant, watches, and leaves the robot driving again.
