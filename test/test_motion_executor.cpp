@@ -1,14 +1,11 @@
-// The executor drives simple simulated bases: a command arrives late, the speed follows it with a
-// lag and bounded accelerations, as behind a speed limiter.
+// The executor drives simple simulated bases along routes.
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <deque>
 #include <limits>
 
-#include "core/motion/kinematics.hpp"
-#include "core/motion/motion_executor.hpp"
 #include "sim/random.hpp"
+#include "test/simulated_base.hpp"
 
 namespace pilothouse {
 namespace {
@@ -16,43 +13,7 @@ namespace {
 using Eigen::Vector2d;
 using Points = std::vector<Vector2d>;
 
-constexpr double kStep = 0.02;  // [s]
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-BaseParameters baseOf(BaseKind kind) {
-  BaseParameters base;
-  base.kind = kind;
-  base.wheelbase = kind == BaseKind::kDifferential ? 0.0 : 0.4;
-  return base;
-}
-
-class Simulated {
- public:
-  Simulated(const BaseParameters& base, const Pose2& pose) : base_(base), pose_(pose) {}
-  void step(const Twist2& wanted) {
-    late_.push_back(withinLimits(wanted, base_));
-    const Twist2 command = late_.front();
-    if (late_.size() > 4) late_.pop_front();
-    approach(command_.vx, command.vx, 0.5);
-    approach(command_.vy, command.vy, 0.5);
-    approach(command_.w, command.w, 1.5);
-    const double share = kStep / (kStep + base_.lag);
-    twist_ = twist_ + share * (command_ - twist_);
-    pose_ = advanced(pose_, twist_, kStep);
-  }
-  const Pose2& pose() const { return pose_; }
-  void put(const Pose2& pose) { pose_ = pose; }
-  const Twist2& twist() const { return twist_; }
-
- private:
-  static void approach(double& value, double target, double rate) {
-    value += std::clamp(target - value, -rate * kStep, rate * kStep);
-  }
-  BaseParameters base_;
-  Pose2 pose_;
-  Twist2 command_, twist_;
-  std::deque<Twist2> late_;
-};
 
 /// Distance of a point from the polyline.
 double offLegs(const Vector2d& p, const Points& points) {
@@ -81,8 +42,8 @@ struct Drive {
 };
 
 /// Drives until it says reached and stands, or the time is up.
-Drive drive(MotionExecutor& executor, Simulated& robot, const BaseParameters& base, Points points,
-            std::optional<double> heading, double seconds) {
+Drive drive(MotionExecutor& executor, SimulatedBase& robot, const BaseParameters& base,
+            Points points, std::optional<double> heading, double seconds) {
   Drive drive;
   executor.drive(points, heading, false, robot.pose());
   points.insert(points.begin(), robot.pose().position());
@@ -135,7 +96,7 @@ TEST_P(EachBase, ReachesTheEndOfRandomRoutesInTheirOrderWithoutCuttingCorners) {
     const bool with_heading = random.chance(0.5);
     const double heading = random.uniform(-3.1, 3.1);
     MotionExecutor executor(parameters(), base_);
-    Simulated robot(base_, start);
+    SimulatedBase robot(base_, start);
     const Drive done = drive(executor, robot, base_, points,
                              with_heading ? std::optional<double>(heading) : std::nullopt, 240.0);
     SCOPED_TRACE("run " + std::to_string(run));
@@ -163,7 +124,7 @@ TEST_P(EachBase, ReachesTheEndOfRandomRoutesInTheirOrderWithoutCuttingCorners) {
 
 TEST_P(EachBase, StopsAtTheEndWithoutOvershoot) {
   MotionExecutor executor(parameters(), base_);
-  Simulated robot(base_, {});
+  SimulatedBase robot(base_, {});
   const Drive done = drive(executor, robot, base_, {{3.0, 0.0}}, std::nullopt, 60.0);
   double farthest = 0.0;
   for (const auto& pose : done.track) farthest = std::max(farthest, pose.x);
@@ -173,7 +134,7 @@ TEST_P(EachBase, StopsAtTheEndWithoutOvershoot) {
 
 TEST_P(EachBase, AFigureOfEightIsDrivenWholeAtItsCrossing) {
   MotionExecutor executor(parameters(), base_);
-  Simulated robot(base_, {});
+  SimulatedBase robot(base_, {});
   const Points points{{2, 2}, {2, 0}, {0, 2}, {-0.1, 0.1}, {-1.0, 0.1}};
   const Drive done = drive(executor, robot, base_, points, std::nullopt, 200.0);
   ASSERT_EQ(done.last.state, ExecutorState::kReached);
@@ -182,7 +143,7 @@ TEST_P(EachBase, AFigureOfEightIsDrivenWholeAtItsCrossing) {
 
 TEST_P(EachBase, ThereAndBackOnOneLineTouchesTheFarEnd) {
   MotionExecutor executor(parameters(), base_);
-  Simulated robot(base_, {});
+  SimulatedBase robot(base_, {});
   const Drive done = drive(executor, robot, base_, {{2, 0}, {0, 0}}, std::nullopt, 120.0);
   ASSERT_EQ(done.last.state, ExecutorState::kReached);
   EXPECT_LE(done.passed({2, 0}), 0.03);
@@ -190,7 +151,7 @@ TEST_P(EachBase, ThereAndBackOnOneLineTouchesTheFarEnd) {
 
 TEST_P(EachBase, ALoopIsDrivenRoundAndRound) {
   MotionExecutor executor(parameters(), base_);
-  Simulated robot(base_, {});
+  SimulatedBase robot(base_, {});
   const Points points{{1, 0}, {2, 1}, {1, 2}, {0, 1}};
   executor.drive(points, std::nullopt, true, robot.pose());
   std::vector<std::size_t> targets;
@@ -209,7 +170,7 @@ TEST_P(EachBase, ALoopIsDrivenRoundAndRound) {
 
 TEST_P(EachBase, AfterAJumpItGoesOnAtTheNearestPlaceToCome) {
   MotionExecutor executor(parameters(), base_);
-  Simulated robot(base_, {});
+  SimulatedBase robot(base_, {});
   const Points points{{4, 0}, {4, 4}, {0, 4}};
   executor.drive(points, std::nullopt, false, robot.pose());
   std::size_t after_jump = 0;
@@ -257,110 +218,9 @@ TEST(MotionExecutor, ABaseThatKeepsItsHeadingDrivesSidewaysWithoutTurning) {
   ExecutorParameters parameters;
   parameters.heading = HeadingMode::kKept;
   MotionExecutor executor(parameters, base);
-  Simulated robot(base, {0.0, 0.0, 0.4});
+  SimulatedBase robot(base, {0.0, 0.0, 0.4});
   const Drive done = drive(executor, robot, base, {{0, 2}, {-2, 2}}, std::nullopt, 60.0);
   for (const auto& pose : done.track) EXPECT_NEAR(pose.heading, 0.4, 0.02);
-}
-
-/// Holds a robot that drives ahead at x = 1 as long as `held` says.
-struct HeldDrive {
-  explicit HeldDrive(Hold hold, BaseKind kind = BaseKind::kDifferential)
-      : base(baseOf(kind)), executor({}, base), robot(base, {}), hold(hold) {
-    executor.drive({{3, 0}}, std::nullopt, false, robot.pose());
-  }
-  ExecutorOutput step() {
-    ExecutorInput input;
-    input.now = now;
-    input.pose = robot.pose();
-    if (robot.pose().x >= 1.0 && hold != Hold::kNone) {
-      input.hold = hold;
-      input.reason = "a box";
-    }
-    ExecutorOutput output = executor.step(input);
-    const bool ahead = output.wanted.vx > 0.0;
-    robot.step(input.hold != Hold::kNone && ahead ? Twist2{} : output.wanted);
-    now += kStep;
-    return output;
-  }
-  BaseParameters base;
-  MotionExecutor executor;
-  Simulated robot;
-  Hold hold;
-  double now = 0.0;
-};
-
-TEST(MotionExecutor, HeldByWhatIsOnlyRememberedItGoesBackToLookThreeTimesThenWaits) {
-  for (const BaseKind kind : {BaseKind::kDifferential, BaseKind::kOmnidirectional}) {
-    HeldDrive held(Hold::kRemembered, kind);
-    std::vector<double> distances;
-    bool back = false;
-    double from = 0.0, fastest_back = 0.0;
-    ExecutorOutput output;
-    for (int i = 0; i < 50 * 120 && output.text != "a box; looked again 3 times"; ++i) {
-      output = held.step();
-      const double x = held.robot.pose().x;
-      if (output.wanted.vx < 0.0 && !back) {
-        distances.push_back(0.0);
-        from = x;
-      }
-      back = output.wanted.vx < 0.0 || (back && output.wanted.zero());
-      if (back) distances.back() = std::max(distances.back(), from - x);
-      fastest_back = std::max(fastest_back, -held.robot.twist().vx);
-    }
-    ASSERT_EQ(distances.size(), 3U);
-    for (const double distance : distances) {
-      EXPECT_GE(distance, 0.3);
-      EXPECT_LE(distance, 0.4);
-    }
-    EXPECT_LE(fastest_back, 0.15 + 1e-9);
-    EXPECT_EQ(output.state, ExecutorState::kWaiting);
-    EXPECT_EQ(output.text, "a box; looked again 3 times");
-    int waited = 0;
-    while (waited < 50 * 60 && output.state == ExecutorState::kWaiting) {
-      output = held.step();
-      ++waited;
-    }
-    EXPECT_GT(waited, 50 * 2) << "for a while";
-    EXPECT_LT(waited, 50 * 5) << "but not for good";
-  }
-}
-
-TEST(MotionExecutor, GoesOnWhenTheLookShowsThatTheWayIsFree) {
-  HeldDrive held(Hold::kRemembered);
-  ExecutorOutput output;
-  for (int i = 0; i < 50 * 60 && output.state != ExecutorState::kReached; ++i) {
-    output = held.step();
-    if (output.wanted.vx < 0.0) held.hold = Hold::kNone;
-  }
-  EXPECT_EQ(output.state, ExecutorState::kReached);
-}
-
-TEST(MotionExecutor, HeldByWhatIsSeenItWaitsWhereItStands) {
-  HeldDrive held(Hold::kSeen);
-  ExecutorOutput output;
-  for (int i = 0; i < 50 * 40; ++i) {
-    output = held.step();
-    ASSERT_GE(output.wanted.vx, 0.0);
-  }
-  EXPECT_EQ(output.state, ExecutorState::kWaiting);
-  EXPECT_EQ(output.text, "a box");
-  EXPECT_GE(held.robot.pose().x, 0.99);
-}
-
-TEST(MotionExecutor, HeldWithinTheToleranceOfItsEndItHasArrived) {
-  const BaseParameters base = baseOf(BaseKind::kOmnidirectional);
-  MotionExecutor executor({}, base);
-  Simulated robot(base, {});
-  executor.drive({{1, 0}}, std::nullopt, false, robot.pose());
-  ExecutorOutput output;
-  ExecutorInput input;
-  for (; input.now < 60.0 && output.state != ExecutorState::kReached; input.now += kStep) {
-    input.pose = robot.pose();
-    output = executor.step(input);
-    robot.step(robot.pose().x > 0.98 ? Twist2{} : output.wanted);
-  }
-  EXPECT_EQ(output.state, ExecutorState::kReached);
-  EXPECT_NEAR(robot.pose().x, 1.0, ExecutorParameters().position_tolerance);
 }
 
 TEST(MotionExecutor, WithoutARouteItWantsNothing) {
