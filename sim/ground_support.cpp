@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace pilothouse::sim {
 namespace {
@@ -12,6 +13,9 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double kClimb = kDropHeight + 0.01;  ///< ground is looked for this much above [m]
+/// A slit's edges are this near to the middle of a wheel that it carries, in radii: half its width
+/// at most, and so narrow that the wheel does not sink in.
+constexpr double kBridged = 0.15;
 /// Where along its tread a wheel is tried against the ground, in radii.
 constexpr std::array<double, 5> kTread = {-0.9, -0.5, 0.0, 0.5, 0.9};
 
@@ -37,6 +41,28 @@ double restingHeight(const WorldScene& scene, const Vector2d& at, const Vector2d
   return highest;
 }
 
+/// The ground under a wheel, or castor: a slit narrower than itself is bridged, however deep.
+/// @return nothing where there is none above `lowest`.
+std::optional<double> groundUnder(const WorldScene& scene, const Vector2d& at,
+                                  const Vector2d& rolling, double radius, double from_z,
+                                  double lowest) {
+  const auto held = [&](const Vector2d& aside) {
+    auto ground = scene.groundBelow(at + aside, from_z);
+    if (ground && *ground < lowest) ground.reset();
+    return ground;
+  };
+  auto ground = held(Vector2d::Zero());
+  // Along the tread, then across it.
+  for (const Vector2d& reach :
+       {Vector2d(kBridged * radius * rolling),
+        Vector2d(kBridged * radius * Vector2d(-rolling.y(), rolling.x()))}) {
+    if (ground) break;
+    const auto before = held(-reach), behind = held(reach);
+    if (before && behind) ground = std::min(*before, *behind);
+  }
+  return ground;
+}
+
 }  // namespace
 
 GroundSupport::GroundSupport(const SimRobot& robot) : radius_(robot.base.wheel_radius) {
@@ -58,7 +84,9 @@ Stance GroundSupport::putDown(const WorldScene& scene, const Pose2& pose, double
   Stance stance;
   heights_.clear();
   for (const Foot& foot : feet_) {
-    const auto ground = scene.groundBelow(pose * foot.at, from_z);
+    const Vector2d forward(std::cos(pose.heading), std::sin(pose.heading));
+    const auto ground = groundUnder(scene, pose * foot.at, forward, radius_, from_z,
+                                    -std::numeric_limits<double>::infinity());
     stance.drop = stance.drop || !ground;
     heights_.push_back(ground.value_or(0.0));
   }
@@ -73,16 +101,17 @@ Stance GroundSupport::moveOn(const WorldScene& scene, const Pose2& pose, const S
   for (const Foot& foot : feet_) {
     const Vector2d at = pose * foot.at;
     const double expected = planeHeight(before.T_world_base, at);
-    const auto ground = scene.groundBelow(at, expected + kClimb);
-    if (!ground || *ground < expected - kDropHeight) {
+    const double angle =
+        pose.heading + (foot.wheel >= 0 ? wheels[static_cast<std::size_t>(foot.wheel)].angle : 0.0);
+    const Vector2d rolling(std::cos(angle), std::sin(angle));
+    const auto ground =
+        groundUnder(scene, at, rolling, radius_, expected + kClimb, expected - kDropHeight);
+    if (!ground) {
       stance.drop = true;
       heights_.push_back(expected);
       continue;
     }
-    const double angle =
-        pose.heading + (foot.wheel >= 0 ? wheels[static_cast<std::size_t>(foot.wheel)].angle : 0.0);
-    heights_.push_back(restingHeight(scene, at, {std::cos(angle), std::sin(angle)}, radius_,
-                                     expected + kClimb, *ground));
+    heights_.push_back(restingHeight(scene, at, rolling, radius_, expected + kClimb, *ground));
   }
   stance.T_world_base = planeThrough(pose, heights_);
   return stance;

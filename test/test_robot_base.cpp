@@ -191,6 +191,22 @@ TEST_P(EveryBase, StepsDownNoDeeperThanItsWheelsCan) {
   EXPECT_NEAR(drive.base.T_world_base().translation().z(), -0.03, 1e-6);
 }
 
+// Parts of a world meet within rounding: a wheel does not fall through the slit that is left.
+TEST_P(EveryBase, BridgesSlits) {
+  for (const double heading : {0.0, 0.5 * 3.14159265358979}) {
+    World world = flatWorld(0.9);
+    add(world, "beyond", boxMesh({40.0F, 40.0F, 1.0F}), at(20.905, 0.0, -1.0));
+    Drive drive(world, testRobot(GetParam()));
+    // Slowly, and turned by 90 degrees along the slit as well: wheels' middles come to lie in it.
+    drive.base.place(drive.scene, {0.0, 0.0, 0.0});
+    if (heading != 0.0) drive.base.place(drive.scene, {0.9025 - 0.17, 0.0, heading});
+    drive.hold({0.1, 0.0, 0.0}, 14.0);
+    EXPECT_FALSE(drive.base.dropped()) << heading;
+    EXPECT_GT(drive.base.pose().x + drive.base.pose().y, 1.3);
+    EXPECT_NEAR(drive.base.T_world_base().translation().z(), 0.0, 1e-6);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Three, EveryBase,
                          testing::Values(BaseKind::kFourWheelSteered, BaseKind::kDifferential,
                                          BaseKind::kOmnidirectional));
