@@ -6,10 +6,12 @@
 #include <cmath>
 #include <cstdio>
 #include <iostream>
+#include <opencv2/imgcodecs.hpp>
 #include <thread>
 
 #include "bench/eval_options.hpp"
 #include "bench/floor_bars.hpp"
+#include "bench/goal_figure.hpp"
 #include "bench/goal_trial.hpp"
 #include "bench/json_line.hpp"
 #include "doors/package_files.hpp"
@@ -28,7 +30,7 @@ const EvalCommand kCommand{"eval goals",
                            "that the map lacks; every tenth goal is where something stands. Prints "
                            "a JSON object a run and\n"
                            "a summary.",
-                           {"--runs", "--seed"}};
+                           {"--runs", "--only", "--seed", "--out"}};
 
 constexpr double kMaxSeconds = 300.0;  // simulated, a run
 constexpr double kDegrees = 180.0 / M_PI;
@@ -82,6 +84,17 @@ void print(const GoalResult& r) {
   std::cout << json.str() << std::endl;
 }
 
+/// Whether somebody should look why.
+bool isMissed(const GoalResult& r) {
+  const bool came = r.task.unreachable ? r.failed : r.reached;
+  return (r.possible || r.task.unreachable) && (!came || r.contacts + r.run_into > 0);
+}
+
+void draw(const GoalResult& result, const std::string& folder) {
+  const std::string file = folder + "/goal_" + std::to_string(result.task.run) + ".png";
+  if (!cv::imwrite(file, drawGoal(result))) throw std::runtime_error("cannot write " + file);
+}
+
 std::vector<RobotDescription> robots() {
   std::vector<RobotDescription> all;
   for (const std::string name : {"platform", "docker"}) {
@@ -121,11 +134,12 @@ int run(const EvalOptions& options) {
     task.robot = &fleet[static_cast<std::size_t>(i) % fleet.size()];
     task.still = (i / 3) % 3 == 0;
     task.unreachable = i % 10 == 9;
-    tasks.push_back(task);
+    if (!options.only || i == *options.only) tasks.push_back(task);
   }
   Totals totals;
   for (const GoalResult& result : runAll(tasks)) {
     print(result);
+    if (!options.out.empty() && (options.only || isMissed(result))) draw(result, options.out);
     totals.add(result);
   }
   const std::vector<Bar> bars = {

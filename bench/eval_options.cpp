@@ -11,6 +11,7 @@ namespace {
 
 std::string describe(const std::string& option) {
   if (option == "--runs") return "  --runs N    how many (default 20)";
+  if (option == "--only") return "  --only N    of these the run of that number alone, from 0";
   if (option == "--faults") return "  --faults N  how many faults (default 500)";
   if (option == "--appearances")
     return "  --appearances N  how many obstacles that appear (default 200)";
@@ -68,6 +69,8 @@ EvalOptions readOptions(const EvalCommand& command, int argc, char** argv) {
     const std::string value = argv[i];
     if (option == "--runs") {
       options.runs = static_cast<int>(readNumber(command, option, value, 1, 100000));
+    } else if (option == "--only") {
+      options.only = static_cast<int>(readNumber(command, option, value, 0, 99999));
     } else if (option == "--faults") {
       options.faults = static_cast<int>(readNumber(command, option, value, 0, 100000));
     } else if (option == "--appearances") {

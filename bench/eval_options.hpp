@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@ namespace pilothouse::bench {
 /// What an evaluation's command line may say.
 struct EvalOptions {
   int runs = 20;
+  std::optional<int> only;  ///< of these runs one alone
   int faults = 500;
   int appearances = 200;
   std::uint64_t seed = 1;
@@ -22,7 +24,8 @@ struct EvalOptions {
 struct EvalCommand {
   std::string name;
   std::string purpose;
-  std::vector<std::string> options;  ///< of --runs --faults --appearances --seed --data --bag --out
+  std::vector<std::string>
+      options;  ///< of --runs --only --faults --appearances --seed --data --bag --out
 };
 
 /// Reads the command line. --help prints and exits with 0; a fault prints one line and exits

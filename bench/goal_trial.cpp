@@ -17,6 +17,7 @@ constexpr double kUnknownShare = 0.3;  // of boxes and cylinders that the map la
 constexpr double kLeast = 1.5;         // from the start to the goal [m]
 constexpr double kSpare = 0.05;        // a goal counts as reachable with so much more clearance [m]
 constexpr double kMoving = 0.01;       // [m/s]
+constexpr double kTrailStep = 0.02;    // [m]
 constexpr int kGoals = 200;            // places tried
 
 sim::RandomWorld worldOf(const GoalTask& task) {
@@ -122,6 +123,20 @@ void drive(DriveLoop& loop, const DriveOrder& order) {
   loop.drive(points, order.heading, false);
 }
 
+/// Keeps what a figure shows.
+void note(const NavigationStatus& status, const DriveStep& step, double time, GoalRecord& record) {
+  static const char* const kPhases[] = {"idle",        "planning", "driving", "waiting", "looking",
+                                        "backing off", "pausing",  "reached", "failed"};
+  std::string said = kPhases[static_cast<std::size_t>(status.phase)];
+  if (!status.text.empty()) said += ": " + status.text;
+  if (record.said.empty() || record.said.back().second != said)
+    record.said.emplace_back(time, said);
+  if (record.trail.empty() ||
+      (step.pose.position() - record.trail.back().position()).norm() > kTrailStep) {
+    record.trail.push_back(step.pose);
+  }
+}
+
 }  // namespace
 
 GoalResult runGoal(const GoalTask& task, double max_seconds) {
@@ -161,10 +176,16 @@ GoalResult runGoal(const GoalTask& task, double max_seconds) {
     input.pose = step.pose;
     input.executor = reportOf(step);
     const NavigationOutput output = navigator.step(input);
+    note(output.status, step, step.time - asked, result.record);
     status = output.status;
     if (output.order) drive(loop, *output.order);
     if (navigator.ended()) break;
   }
+  result.record.trail.push_back(step.pose);
+  result.record.marked = planner.map();
+  result.record.whole = errand->whole;
+  result.record.known = errand->known;
+  result.record.goal = errand->goal;
   result.reached = status.phase == NavigationPhase::kReached;
   result.failed = status.phase == NavigationPhase::kFailed;
   result.text = status.text;

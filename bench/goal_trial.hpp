@@ -2,7 +2,11 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "core/mapping/map_cells.hpp"
+#include "core/navigation/goal_navigator.hpp"
 #include "doors/robot_description.hpp"
 
 namespace pilothouse::bench {
@@ -14,6 +18,14 @@ struct GoalTask {
   const RobotDescription* robot = nullptr;
   bool still = false;        ///< nobody walks and the map knows everything: lengths are judged
   bool unreachable = false;  ///< the goal is where something stands
+};
+
+/// What a figure of a run shows.
+struct GoalRecord {
+  MapCells whole, known, marked;  ///< as it is, as the robot was told, and with what it saw at last
+  Goal goal;
+  std::vector<Pose2> trail;                          ///< true
+  std::vector<std::pair<double, std::string>> said;  ///< by the navigator, when [s]
 };
 
 struct GoalResult {
@@ -32,6 +44,7 @@ struct GoalResult {
   std::string touched;
   unsigned plans = 0;
   double wall_seconds = 0.0;
+  GoalRecord record;
 };
 
 GoalResult runGoal(const GoalTask& task, double max_seconds);

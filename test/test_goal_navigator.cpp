@@ -169,13 +169,45 @@ TEST(GoTo, WaitsForADoorToBecomeFree) {
   TaskHarness robot(hall().map);
   robot.goTo(5.0, 1.5);
   robot.planner.mark({{{3.05, 1.5}, 0.3}});
-  robot.runUntil([&] { return robot.now > 103.0; });
-  EXPECT_EQ(robot.phase(), NavigationPhase::kWaiting);
+  ASSERT_TRUE(robot.runUntil([&] { return robot.phase() == NavigationPhase::kWaiting; }));
+  EXPECT_GT(robot.pose.x, 1.1) << "from nearer it may look free";
+  EXPECT_LT(robot.pose.x, 2.45) << "not into it";
   EXPECT_EQ(robot.output.task.phase, TaskPhase::kRunning);
   EXPECT_NE(robot.output.task.text.find("blocked"), std::string::npos) << robot.output.task.text;
   robot.planner.mark({});
   ASSERT_TRUE(robot.runToEnd());
   EXPECT_EQ(robot.output.task.phase, TaskPhase::kDone);
+}
+
+TEST(GoTo, WhatIsSeenFarOffKeepsNobodyFromAGoal) {
+  TaskHarness robot(hall().map);
+  const auto seen = [&robot] {
+    const bool far = (robot.pose.position() - Eigen::Vector2d(5.0, 1.5)).norm() > 1.7;
+    robot.planner.mark(far ? std::vector<Planner::Mark>{{{5.0, 1.6}, 0.1}}
+                           : std::vector<Planner::Mark>{});
+    return robot.output.task.phase >= TaskPhase::kDone;
+  };
+  seen();
+  robot.goTo(5.0, 1.5);
+  ASSERT_TRUE(robot.runUntil(seen));
+  EXPECT_EQ(robot.output.task.phase, TaskPhase::kDone) << robot.output.task.text;
+  EXPECT_FALSE(robot.was(NavigationPhase::kWaiting));
+  EXPECT_LE(robot.orders, 4) << "the way is left alone while it is good";
+}
+
+TEST(GoTo, WhatStandsAtTheGoalIsSaidFromNearBy) {
+  NavigationParameters parameters;
+  parameters.tries = 1;
+  TaskHarness robot(hall().map, parameters);
+  robot.planner.mark({{{5.0, 1.6}, 0.1}});
+  robot.goTo(5.0, 1.5);
+  ASSERT_TRUE(robot.runToEnd());
+  EXPECT_EQ(robot.output.task.phase, TaskPhase::kFailed);
+  EXPECT_NE(robot.output.task.text.find(textOf(NoWay::kGoalOccupied)), std::string::npos)
+      << robot.output.task.text;
+  const double off = (robot.pose.position() - Eigen::Vector2d(5.0, 1.5)).norm();
+  EXPECT_LT(off, parameters.trust_distance + 0.2) << "it looked from where it sees well";
+  EXPECT_GT(off, 0.5);
 }
 
 TEST(GoTo, StuckItLooksRoundBacksOffAndGivesUpWithTheReason) {

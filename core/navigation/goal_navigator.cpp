@@ -87,8 +87,9 @@ void GoalNavigator::send(std::vector<Pose2> poses, std::optional<double> heading
   sent_ = now_;
 }
 
-void GoalNavigator::take(Plan plan) {
-  path_ = std::move(plan.poses);
+void GoalNavigator::take(Found found) {
+  path_ = std::move(found.plan.poses);
+  nearing_ = found.nearing;
   route_ = Route(placesOf(path_), planner_.parameters().corners);
   way_ = 0.0;
   best_left_ = left();
@@ -97,6 +98,15 @@ void GoalNavigator::take(Plan plan) {
   text_.clear();
   send(path_, goal_.heading);
   enter(NavigationPhase::kDriving);
+}
+
+/// A new way is not getting on.
+void GoalNavigator::change(Found found) {
+  const double got_on = got_on_, turned_on = turned_on_;
+  ++plans_;
+  take(std::move(found));
+  got_on_ = got_on;
+  turned_on_ = turned_on;
 }
 
 void GoalNavigator::fail(const std::string& text, const std::optional<Vector2d>& nearest) {
@@ -121,16 +131,50 @@ std::vector<Pose2> GoalNavigator::rest(const Pose2& pose) const {
   return poses;
 }
 
+/// The part of it that what is seen is trusted to judge, and no farther than that: the outline at
+/// its end must not reach beyond.
+std::vector<Pose2> GoalNavigator::judged(const Pose2& pose) const {
+  std::vector<Pose2> poses = rest(pose);
+  if (!nearing_) return poses;
+  double left = std::max(0.1, parameters_.trust_distance - planner_.check().ample());
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    const Vector2d leg = poses[i].position() - poses[i - 1].position();
+    if (leg.norm() < left) {
+      left -= leg.norm();
+      continue;
+    }
+    const Vector2d end = poses[i - 1].position() + left / leg.norm() * leg;
+    poses[i] = {end.x(), end.y(), poses[i].heading};
+    poses.resize(i + 1);
+  }
+  return poses;
+}
+
+/// Round all that is seen. Where that leaves no way, round what is seen near by and what the map
+/// has: farther off the camera errs more, people walk on, and from nearer it is seen better.
+GoalNavigator::Found GoalNavigator::seek(const NavigationInput& input) {
+  Found found{planner_.plan(request(input)), false};
+  if (found.plan) return found;
+  std::vector<Planner::Mark> near;
+  for (const Planner::Mark& mark : planner_.marks()) {
+    const double off = (mark.place - input.pose->position()).norm() - mark.radius;
+    if (off < parameters_.trust_distance) near.push_back(mark);
+  }
+  if (near.size() == planner_.marks().size()) return found;
+  return {planner_.planAmong(near, request(input)), true};
+}
+
 /// @return whether there is a way; it is under way then.
 bool GoalNavigator::replan(const NavigationInput& input) {
   ++plans_;
   sought_ = now_;
-  Plan plan = planner_.plan(request(input));
-  if (plan) {
-    take(std::move(plan));
+  Found found = seek(input);
+  if (found.plan) {
+    take(std::move(found));
     return true;
   }
-  const Plan clean = planner_.planWithoutMarks(request(input));
+  const Plan& plan = found.plan;
+  const Plan clean = planner_.planAmong({}, request(input));
   if (!clean) {
     fail(textOf(clean.why), clean.nearest);
     return false;
@@ -180,14 +224,15 @@ void GoalNavigator::follow(const NavigationInput& input, double dt) {
 }
 
 void GoalNavigator::drive(const NavigationInput& input) {
-  if (revision_ != planner_.revision()) {
+  // On a way through what is seen far off more of that comes near, whether or not it changes.
+  if (revision_ != planner_.revision() || nearing_) {
     revision_ = planner_.revision();
-    const bool blocked = path_.empty() || !planner_.free(rest(*input.pose));
+    const bool blocked = path_.empty() || !planner_.free(judged(*input.pose));
     if (blocked && (!path_.empty() || now_ - sought_ > kTryAgain)) {
       replan(input);
       return;
     }
-    if (!blocked && now_ - sought_ > kTryAgain && !planner_.roomy(rest(*input.pose))) {
+    if (!blocked && now_ - sought_ > kTryAgain && !planner_.roomy(judged(*input.pose))) {
       seekRoomier(input);
     }
   }
@@ -224,22 +269,19 @@ void GoalNavigator::hear(const NavigationInput& input) {
 void GoalNavigator::seekShorter(const NavigationInput& input) {
   sought_ = now_;
   Plan plan = planner_.plan(request(input));
-  if (!plan || plan.length > std::min(kMuchShorter * left(), left() - kShorterAtLeast)) return;
-  ++plans_;
-  take(std::move(plan));
+  // A way through what was seen far off is left as soon as there is one round it.
+  const double most =
+      nearing_ ? HUGE_VAL : std::min(kMuchShorter * left(), left() - kShorterAtLeast);
+  if (!plan || plan.length > most) return;
+  change({std::move(plan), false});
 }
 
 /// Things turn out larger the more of them is seen: while it can still go by them, it goes by with
-/// the room that a way should have. A new way is not getting on.
+/// the room that a way should have.
 void GoalNavigator::seekRoomier(const NavigationInput& input) {
   sought_ = now_;
-  Plan plan = planner_.plan(request(input));
-  if (!plan) return;
-  const double got_on = got_on_, turned_on = turned_on_;
-  ++plans_;
-  take(std::move(plan));
-  got_on_ = got_on;
-  turned_on_ = turned_on;
+  Found found = seek(input);
+  if (found.plan) change(std::move(found));
 }
 
 void GoalNavigator::arrive(const NavigationInput& input) {

@@ -86,6 +86,12 @@ class GoalNavigator {
 
  private:
   enum class Measure { kReplan, kLook, kBack, kRest };
+  /// A way, and whether it leads through what is seen far off.
+  struct Found {
+    Plan plan;
+    bool nearing = false;
+  };
+  Found seek(const NavigationInput& input);
   void planFirst(const NavigationInput& input);
   void follow(const NavigationInput& input, double dt);
   void drive(const NavigationInput& input);
@@ -101,11 +107,13 @@ class GoalNavigator {
   void manoeuvre(const NavigationInput& input);
   void fail(const std::string& text, const std::optional<Eigen::Vector2d>& nearest);
   void send(std::vector<Pose2> poses, std::optional<double> heading);
-  void take(Plan plan);
+  void take(Found found);
+  void change(Found found);
   void enter(NavigationPhase phase);
   bool isHeard(const NavigationInput& input, ExecutorReport::State state) const;
   double left() const;
   std::vector<Pose2> rest(const Pose2& pose) const;
+  std::vector<Pose2> judged(const Pose2& pose) const;
   PlanRequest request(const NavigationInput& input) const;
   NavigationStatus status() const;
 
@@ -117,6 +125,7 @@ class GoalNavigator {
   std::vector<Pose2> path_;  ///< none: there is no way now, or it manoeuvres
   Route route_;              ///< the path as it is driven
   double way_ = 0.0;         ///< along it [m]
+  bool nearing_ = false;     ///< it leads through what is seen far off
   std::optional<Eigen::Vector2d> nearest_;
   std::optional<DriveOrder> order_;
   unsigned plans_ = 0;

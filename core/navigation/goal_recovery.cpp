@@ -25,7 +25,7 @@ void GoalNavigator::stuck(const NavigationInput& input) {
   if (measure_ == Measure::kReplan) {
     measure_ = Measure::kLook;
     // Nothing known is in the way: the same way would come out again.
-    const bool same = !path_.empty() && planner_.free(rest(*input.pose));
+    const bool same = !path_.empty() && planner_.free(judged(*input.pose));
     if (!same && (replan(input) || ended())) return;
   }
   if (measure_ == Measure::kLook) {
@@ -41,7 +41,7 @@ void GoalNavigator::stuck(const NavigationInput& input) {
     replan(input);
     return;
   }
-  const Plan plan = planner_.plan(request(input));
+  const Plan plan = seek(input).plan;
   const std::string tried = "gave up after " + std::to_string(tries_) + " tries: ";
   fail(tried + (plan ? stuck_by_ : textOf(plan.why)), plan.nearest);
 }

@@ -43,12 +43,12 @@ bool Planner::turns() const {
   return base_ == BaseKind::kDifferential || parameters_.heading == HeadingMode::kFree;
 }
 
-Plan Planner::planWithoutMarks(const PlanRequest& request) {
+Plan Planner::planAmong(const std::vector<Mark>& marks, const PlanRequest& request) {
   const std::uint32_t revision = map_.revision();
-  const std::vector<Mark> marks = map_.marks();
-  mark({});
-  Plan found = plan(request);
+  const std::vector<Mark> all = map_.marks();
   mark(marks);
+  Plan found = plan(request);
+  mark(all);
   map_.setRevision(revision);
   return found;
 }

@@ -41,12 +41,13 @@ class Planner {
   const MapCells& map() const { return map_.cells(); }  ///< marks included
   /// Replaces all earlier marks. @return whether anything changed.
   bool mark(const std::vector<Mark>& marks) { return map_.mark(marks, field_); }
+  const std::vector<Mark>& marks() const { return map_.marks(); }
   /// Another number whenever map or marks have changed.
   std::uint32_t revision() const { return map_.revision(); }
 
   Plan plan(const PlanRequest& request);
-  /// As if there were no marks: whether what is in the way may go away again.
-  Plan planWithoutMarks(const PlanRequest& request);
+  /// As if these were all the marks there are.
+  Plan planAmong(const std::vector<Mark>& marks, const PlanRequest& request);
   /// Whether a way is still free: the bare outline touches nothing on it. @param poses map frame.
   bool free(const std::vector<Pose2>& poses) const { return touchesNothing(bare_, poses); }
   /// And with half of the clearance round it.
