@@ -20,26 +20,27 @@
 namespace pilothouse::bench {
 namespace {
 
-const EvalCommand kCommand{"eval goals",
-                           "Sends each of the three bases to random goals with headings in random "
-                           "furnished rooms, through\n"
-                           "planner, navigator, executor, camera, floor, memory, limiter and base. "
-                           "Every third room is as\n"
-                           "its map has it, with nobody in it, for the lengths; the others have "
-                           "people who walk and things\n"
-                           "that the map lacks; every tenth goal is where something stands. Prints "
-                           "a JSON object a run and\n"
-                           "a summary.",
-                           {"--runs", "--only", "--seed", "--out"}};
+const EvalCommand kCommand{
+    "eval goals",
+    "Sends each of the three bases to random goals with headings in random "
+    "furnished rooms, through\n"
+    "planner, navigator, executor, camera, floor, memory, limiter and base. "
+    "Every third room is as\n"
+    "its map has it, with nobody in it, for the lengths; the others have "
+    "people who walk and things\n"
+    "that the map lacks; every tenth goal is where the robot cannot get to. Prints "
+    "a JSON object a run and\n"
+    "a summary.",
+    {"--runs", "--only", "--seed", "--out"}};
 
 constexpr double kMaxSeconds = 300.0;  // simulated, a run
 constexpr double kDegrees = 180.0 / M_PI;
 
 struct Totals {
   int runs = 0, skipped = 0, possible = 0, reached = 0, impossible = 0, told = 0;
-  int contacts = 0, run_into = 0, lengths = 0;
+  int contacts = 0, run_into = 0, lengths = 0, without_shortest = 0;
   double told_after = 0.0, off = 0.0, turned_off = 0.0, length_sum = 0.0, longest = 0.0;
-  double seconds = 0.0, driven = 0.0, wall = 0.0;
+  double seconds = 0.0, driven = 0.0, wall = 0.0, longest_thought = 0.0;
 
   void add(const GoalResult& r) {
     ++runs;
@@ -47,6 +48,7 @@ struct Totals {
     contacts += r.contacts;
     run_into += r.run_into;
     driven += r.driven;
+    longest_thought = std::max(longest_thought, r.longest_thought);
     if (!r.possible && !r.task.unreachable) {
       ++skipped;
     } else if (r.task.unreachable) {
@@ -65,9 +67,14 @@ struct Totals {
     off = std::max(off, r.off);
     turned_off = std::max(turned_off, r.turned_off);
     if (!r.task.still) return;
+    if (!std::isfinite(r.shortest)) {
+      ++without_shortest;
+      return;
+    }
     ++lengths;
-    length_sum += r.driven / r.shortest;
-    longest = std::max(longest, r.driven / r.shortest);
+    const double share = (r.driven + r.off) / r.shortest;
+    length_sum += share;
+    longest = std::max(longest, share);
   }
 };
 
@@ -80,6 +87,7 @@ void print(const GoalResult& r) {
   json.number("shortest_m", r.shortest, 3).number("off_m", r.off, 4);
   json.number("turned_off_deg", r.turned_off * kDegrees, 2).whole("plans", r.plans);
   json.whole("contacts", r.contacts).whole("run_into", r.run_into).text("touched", r.touched);
+  json.number("longest_thought_s", r.longest_thought, 4);
   json.number("wall_s", r.wall_seconds, 2).text("text", r.text);
   std::cout << json.str() << std::endl;
 }
@@ -164,7 +172,9 @@ int run(const EvalOptions& options) {
   for (const Bar& bar : bars) summary.number(bar.name, bar.value, 4);
   summary.whole("possible", totals.possible).whole("rooms_without_goal", totals.skipped);
   summary.whole("contacts_by_robot", totals.contacts).whole("run_into_standing", totals.run_into);
-  summary.whole("lengths", totals.lengths).number("worst_length_over_shortest", totals.longest, 3);
+  summary.whole("lengths", totals.lengths).whole("without_shortest", totals.without_shortest);
+  summary.number("worst_length_over_shortest", totals.longest, 3);
+  summary.number("longest_thought_s", totals.longest_thought, 3);
   summary.number("driven_m", totals.driven, 1);
   summary.number("seconds_a_goal", totals.seconds / std::max(1, totals.reached), 1);
   summary.number("core_seconds_a_run", totals.wall / std::max(1, totals.runs), 2);

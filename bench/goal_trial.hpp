@@ -17,7 +17,7 @@ struct GoalTask {
   std::uint64_t seed = 0;
   const RobotDescription* robot = nullptr;
   bool still = false;        ///< nobody walks and the map knows everything: lengths are judged
-  bool unreachable = false;  ///< the goal is where something stands
+  bool unreachable = false;  ///< the goal is where the robot cannot get to
 };
 
 /// What a figure of a run shows.
@@ -30,17 +30,21 @@ struct GoalRecord {
 
 struct GoalResult {
   GoalTask task;
-  bool possible = true;     ///< the goal can be reached, things that the map lacks included
-  bool reached = false;     ///< it said so
-  bool failed = false;      ///< it said so
-  std::string text;         ///< what it said last
-  double seconds = 0.0;     ///< simulated
-  double said_after = 0.0;  ///< gave its verdict [s]
-  double driven = 0.0, shortest = 0.0;  ///< [m]
-  double off = 0.0;                     ///< from the goal at the end [m]
-  double turned_off = 0.0;              ///< [rad]
-  int contacts = 0;                     ///< begun by the robot's motion
-  int run_into = 0;                     ///< by somebody who walked into the standing robot
+  bool possible = true;          ///< the goal can be reached, things that the map lacks included
+  bool reached = false;          ///< it said so
+  bool failed = false;           ///< it said so
+  std::string text;              ///< what it said last
+  double seconds = 0.0;          ///< simulated
+  double longest_thought = 0.0;  ///< of the navigator in a step, real time [s]
+  double said_after = 0.0;       ///< gave its verdict, that time on top [s]
+  double driven = 0.0;           ///< [m]
+  /// Of the middle of the circle within the footprint at the planner's clearance, in the room as it
+  /// is [m]; infinite where it gets there only nearer to things.
+  double shortest = 0.0;
+  double off = 0.0;         ///< from the goal at the end [m]
+  double turned_off = 0.0;  ///< [rad]
+  int contacts = 0;         ///< begun by the robot's motion
+  int run_into = 0;         ///< by somebody who walked into the standing robot
   std::string touched;
   unsigned plans = 0;
   double wall_seconds = 0.0;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <random>
 
+#include "bench/shortest_way.hpp"
 #include "test/map_rooms.hpp"
 
 namespace pilothouse {
@@ -58,6 +59,23 @@ double leastGap(const Planner& planner, const Footprint& footprint, const Plan& 
     }
   }
   return least;
+}
+
+/// Length of the shortest way of a disc's middle in the room.
+double shortestAmong(const MapRoom& room, double radius, const Eigen::Vector2d& start,
+                     const Eigen::Vector2d& goal) {
+  const double x = room.cell * room.map.size_x, y = room.cell * room.map.size_y, wall = room.cell;
+  std::vector<FloorBox> boxes = room.boxes;
+  boxes.insert(boxes.end(), {{{0.0, 0.0}, {x, wall}},
+                             {{0.0, y - wall}, {x, y}},
+                             {{0.0, 0.0}, {wall, y}},
+                             {{x - wall, 0.0}, {x, y}}});
+  std::vector<bench::ConvexShape> shapes;
+  for (const FloorBox& box : boxes) {
+    shapes.emplace_back(std::vector<Eigen::Vector2d>{
+        box.low, {box.high.x(), box.low.y()}, box.high, {box.low.x(), box.high.y()}});
+  }
+  return bench::shortestWay(shapes, radius, start, goal);
 }
 
 TEST(Planner, GoesStraightWhereNothingStands) {
