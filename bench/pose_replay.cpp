@@ -68,7 +68,7 @@ class Replayer {
     localiser.learn(verdict, tracker_.at(stamp)->pose);
     const auto lately = tracker_.way(stamp - ScanLag::kWay, stamp);
     if (verdict == MatchVerdict::kAccepted && lately) {
-      localiser.lag().learn(stamp, match.pose, *lately);
+      localiser.lag().learn(stamp, match, *lately);
     }
     result_.matching_ms +=
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();

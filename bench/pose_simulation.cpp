@@ -6,6 +6,7 @@
 
 #include "core/cloud/depth_view.hpp"
 #include "core/floor/floor_segmenter.hpp"
+#include "core/floor/level_scan.hpp"
 #include "core/floor/virtual_scan.hpp"
 #include "core/motion/motion_executor.hpp"
 #include "nodelets/sim_robot.hpp"
@@ -28,7 +29,7 @@ sim::SimulationParameters slippery(std::uint64_t seed, SimulatedScanner scanner)
   parameters.base.turning = 0.03;
   parameters.sensors.camera = *sim::cameraProfile("kinect_qvga");
   parameters.sensors.colour_rate = parameters.sensors.range_rate = 0.0;
-  parameters.sensors.depth_rate = scanner == SimulatedScanner::kVirtual ? 15.0 : 0.0;
+  parameters.sensors.depth_rate = scanner == SimulatedScanner::kLaser ? 0.0 : 15.0;
   return parameters;
 }
 
@@ -37,6 +38,18 @@ sim::RandomWorldParameters worldOf() {
   parameters.blocked_share = parameters.ramp_share = parameters.sill_share = 0.0;
   parameters.route_length = 12.0;
   return parameters;
+}
+
+const char* nameOf(SimulatedScanner scanner) {
+  switch (scanner) {
+    case SimulatedScanner::kLaser:
+      return "laser";
+    case SimulatedScanner::kLevel:
+      return "level_scan";
+    case SimulatedScanner::kVirtual:
+      return "virtual_scan";
+  }
+  return "?";
 }
 
 class Drive {
@@ -52,7 +65,7 @@ class Drive {
     recording_.odometry = "wheels";
     recording_.gyro = "gyroscope";
     recording_.reference_name = "simulator";
-    recording_.scan_names = {scanner == SimulatedScanner::kLaser ? "laser" : "virtual_scan"};
+    recording_.scan_names = {nameOf(scanner)};
   }
 
   PoseRecording run() {
@@ -116,8 +129,10 @@ class Drive {
     bytes.intrinsics = camera.intrinsics;
     const auto view = DepthView::open(bytes);
     if (!view) return;
-    const auto& ranges = scan_.scan(segmenter_.segment(*view, T_base_optical_));
-    const ScanGeometry& geometry = scan_.geometry();
+    const bool cells = scanner_ == SimulatedScanner::kVirtual;
+    const auto& ranges = cells ? scan_.scan(segmenter_.segment(*view, T_base_optical_))
+                               : level_.scan(*view, T_base_optical_);
+    const ScanGeometry& geometry = cells ? scan_.geometry() : level_.geometry();
     recording_.events.push_back(ScanEvent{
         0,
         {stamp, static_cast<double>(geometry.angle_min), static_cast<double>(geometry.increment),
@@ -130,6 +145,7 @@ class Drive {
   sim::Simulation simulation_;
   FloorSegmenter segmenter_;
   VirtualScan scan_;
+  LevelScan level_;
   Eigen::Isometry3f T_base_optical_;
   MotionExecutor executor_;
   PoseRecording recording_;

@@ -10,6 +10,7 @@ namespace pilothouse::bench {
 /// What a simulated robot looks through.
 enum class SimulatedScanner {
   kLaser,    ///< a level one of 360 beams, 30 cm high, 10 turns a second
+  kLevel,    ///< the level scan that is made of a depth camera's points, 15 a second
   kVirtual,  ///< the scan that is made of the judged floor, 15 a second
 };
 

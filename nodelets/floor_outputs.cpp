@@ -14,6 +14,7 @@ void FloorOutputs::advertise(ros::NodeHandle& handle, Demand demand) {
   grid_ = handle.advertise<FloorGrid>("floor_grid", 2, notice, notice);
   objects_ = handle.advertise<ObjectList>("objects/camera", 2, notice, notice);
   scan_ = handle.advertise<sensor_msgs::LaserScan>("virtual_scan", 2, notice, notice);
+  level_scan_ = handle.advertise<sensor_msgs::LaserScan>("level_scan", 2, notice, notice);
   floor_points_ = handle.advertise<sensor_msgs::PointCloud2>("floor_points", 2, notice, notice);
   obstacle_points_ =
       handle.advertise<sensor_msgs::PointCloud2>("obstacle_points", 2, notice, notice);
@@ -21,7 +22,7 @@ void FloorOutputs::advertise(ros::NodeHandle& handle, Demand demand) {
 
 bool FloorOutputs::wanted() const {
   for (const ros::Publisher* publisher :
-       {&grid_, &objects_, &scan_, &floor_points_, &obstacle_points_}) {
+       {&grid_, &objects_, &scan_, &level_scan_, &floor_points_, &obstacle_points_}) {
     if (*publisher && publisher->getNumSubscribers() > 0) return true;
   }
   return false;
@@ -48,6 +49,10 @@ void FloorOutputs::publish(const std_msgs::Header& camera, const View& view,
   if (scan_.getNumSubscribers() > 0) {
     const auto& ranges = virtual_scan_.scan(grid);
     scan_.publish(toMessage(base, virtual_scan_.geometry(), ranges));
+  }
+  if (level_scan_.getNumSubscribers() > 0) {
+    const auto& ranges = level_.scan(view, T_base_camera);
+    level_scan_.publish(toMessage(base, level_.geometry(), ranges));
   }
   const bool want_floor = floor_points_.getNumSubscribers() > 0;
   const bool want_obstacles = obstacle_points_.getNumSubscribers() > 0;

@@ -14,14 +14,15 @@
 #include "core/cloud/depth_view.hpp"
 #include "core/floor/floor_cells.hpp"
 #include "core/floor/floor_parameters.hpp"
+#include "core/floor/level_scan.hpp"
 #include "core/floor/nearest_objects.hpp"
 #include "core/floor/virtual_scan.hpp"
 
 namespace pilothouse {
 
 /// What the floor nodelets publish, each only while somebody listens to it: floor_grid,
-/// objects/camera, virtual_scan in the base frame; floor_points, obstacle_points in the camera's,
-/// as measured (so that who clears along rays knows where they began).
+/// objects/camera, virtual_scan, level_scan in the base frame; floor_points, obstacle_points in the
+/// camera's, as measured (so that who clears along rays knows where they began).
 class FloorOutputs {
  public:
   /// Told when the first listener comes (true) and when the last one has left (false).
@@ -41,9 +42,10 @@ class FloorOutputs {
  private:
   void notice();
 
-  ros::Publisher grid_, objects_, scan_, floor_points_, obstacle_points_;
+  ros::Publisher grid_, objects_, scan_, level_scan_, floor_points_, obstacle_points_;
   NearestObjects nearest_objects_;
   VirtualScan virtual_scan_;
+  LevelScan level_;
   std::vector<CellClass> point_classes_;
   std::mutex demand_mutex_;
   Demand demand_;

@@ -18,7 +18,7 @@ std::vector<std::string> wordsOf(const std::string& text) {
 
 PoseSettings readPoseSettings(const ros::NodeHandle& handle) {
   PoseSettings settings;
-  std::string scans = "virtual_scan", match = "scans", stamp = "begin";
+  std::string scans = "level_scan", match = "scans", stamp = "begin";
   StrictParameters own(handle);
   own.read("base_frame", settings.base_frame);
   own.read("odom_frame", settings.odom_frame);

@@ -14,7 +14,7 @@ namespace pilothouse {
 /// What the pose tracker is told.
 struct PoseSettings {
   std::string base_frame = "base_link", odom_frame = "odom", map_frame = "map";
-  std::vector<std::string> scans{"virtual_scan"};  ///< topics
+  std::vector<std::string> scans{"level_scan"};  ///< topics
   bool given_map = false;       ///< match: map (a given one, topic map) or scans (what they met)
   bool stamped_at_end = false;  ///< scan_stamp: end or begin, of the scanners
   TrackerParameters tracker;

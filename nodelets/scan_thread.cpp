@@ -146,7 +146,7 @@ void ScanThread::localise(std::size_t source, Waiting& scan) {
   }
   localiser.learn(verdict, predicted->pose);
   if (verdict == MatchVerdict::kAccepted && lately) {
-    localiser.lag().learn(stamp, match.pose, *lately);
+    localiser.lag().learn(stamp, match, *lately);
   }
   count(verdict, match, Clock::now() - begin);
 }

@@ -1,5 +1,6 @@
 #include "registration/icp_matcher.hpp"
 
+#include <pcl/console/print.h>
 #include <pcl/point_types.h>
 #include <pcl/registration/icp.h>
 #include <pcl/registration/transformation_estimation.h>
@@ -116,6 +117,16 @@ Point pointAt(const Eigen::Vector2d& place) {
   return point;
 }
 
+/// PCL prints an error for each scan that meets nothing of the map; the verdict tells that.
+class Hushed {
+ public:
+  Hushed() { pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS); }
+  ~Hushed() { pcl::console::setVerbosityLevel(before_); }
+
+ private:
+  pcl::console::VERBOSITY_LEVEL before_ = pcl::console::getVerbosityLevel();
+};
+
 }  // namespace
 
 struct IcpMatcher::Pcl {
@@ -130,7 +141,10 @@ struct IcpMatcher::Pcl {
   bool refine(double reach, Eigen::Matrix4f& motion) {
     icp.setMaxCorrespondenceDistance(reach);
     Cloud aligned;
-    icp.align(aligned, motion);
+    {
+      const Hushed hushed;
+      icp.align(aligned, motion);
+    }
     motion = icp.getFinalTransformation();
     return icp.hasConverged() && motion.allFinite();
   }

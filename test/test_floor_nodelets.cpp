@@ -50,6 +50,7 @@ TEST_P(FloorNodelet, SeesTheBoxInEveryOutput) {
   Inbox<FloorGrid> grids(harness_.handle(), "floor_grid");
   Inbox<ObjectList> objects(harness_.handle(), "objects/camera");
   Inbox<sensor_msgs::LaserScan> scans(harness_.handle(), "virtual_scan");
+  Inbox<sensor_msgs::LaserScan> level_scans(harness_.handle(), "level_scan");
   Inbox<sensor_msgs::PointCloud2> floor_points(harness_.handle(), "floor_points");
   Inbox<sensor_msgs::PointCloud2> obstacle_points(harness_.handle(), "obstacle_points");
   ASSERT_TRUE(harness_.waitForListener());
@@ -58,7 +59,8 @@ TEST_P(FloorNodelet, SeesTheBoxInEveryOutput) {
   ASSERT_TRUE(spinUntil([&] {
     harness_.show(scene_, stamp += 0.1);
     return !grids.all().empty() && !objects.all().empty() && !scans.all().empty() &&
-           !floor_points.all().empty() && !obstacle_points.all().empty();
+           !level_scans.all().empty() && !floor_points.all().empty() &&
+           !obstacle_points.all().empty();
   }));
 
   const FloorGrid& grid = *grids.all()[0];
@@ -73,9 +75,11 @@ TEST_P(FloorNodelet, SeesTheBoxInEveryOutput) {
   }
   EXPECT_GE(nearest, 8) << "lanes that lead to a box 40 cm wide";
 
-  const sensor_msgs::LaserScan& scan = *scans.all()[0];
-  const auto ahead = static_cast<std::size_t>(std::lround(-scan.angle_min / scan.angle_increment));
-  EXPECT_NEAR(scan.ranges[ahead], scene_.low.x(), 0.06);
+  for (const auto& scan : {scans.all()[0], level_scans.all()[0]}) {
+    EXPECT_EQ(scan->header.frame_id, "base_link");
+    const long ahead = std::lround(-scan->angle_min / scan->angle_increment);
+    EXPECT_NEAR(scan->ranges[static_cast<std::size_t>(ahead)], scene_.low.x(), 0.06);
+  }
 
   const Eigen::Isometry3f T_base_camera = BoxScene::T_base_optical().cast<float>();
   const auto obstacle_view = openView(*obstacle_points.all()[0]);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/floor/floor_segmenter.hpp"
+#include "core/floor/level_scan.hpp"
 #include "core/floor/nearest_objects.hpp"
 #include "core/floor/virtual_scan.hpp"
 #include "core/mapping/occupancy_map.hpp"
@@ -147,6 +148,14 @@ TEST_P(NoAllocationTest, SegmentingAllocatesNothingAfterTheFirstFrames) {
     EXPECT_EQ(allocationsOf([&] { segmenter.segment(cloud_view, T_base_optical); }), 0);
     EXPECT_EQ(allocationsOf([&] { segmenter.segment(depth_view, T_base_optical); }), 0);
   }
+}
+
+TEST_F(NoAllocationTest, MeasuringALevelScanAllocatesNothingAfterTheFirstFrames) {
+  LevelScan scan;
+  const CloudView cloud_view = cloud();
+  const DepthView depth_view = image();
+  EXPECT_EQ(allocationsOf([&] { scan.scan(cloud_view, T_base_optical); }), 0);
+  EXPECT_EQ(allocationsOf([&] { scan.scan(depth_view, T_base_optical); }), 0);
 }
 
 TEST_F(NoAllocationTest, ListingObjectsAndScanningAllocateNothingAfterTheFirstFrames) {

@@ -4,12 +4,15 @@
 #include <geometry_msgs/Twist.h>
 #include <gtest/gtest.h>
 #include <nav_msgs/Odometry.h>
+#include <pilothouse/MapGrid.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include <cmath>
 #include <fstream>
 #include <limits>
 #include <map>
+#include <optional>
+#include <sstream>
 
 #include "core/pose/pose_algebra.hpp"
 #include "doors/motion_views.hpp"
@@ -18,26 +21,60 @@
 namespace pilothouse {
 namespace {
 
+struct Box {
+  const char* name;
+  double x, y, z, turn;          ///< of its middle [m, rad]
+  double length, width, height;  ///< [m]
+};
+
 /// A room with things in it.
+constexpr Box kRoom[] = {
+    {"north", 0.0, 2.5, 0.5, 0.0, 6.0, 0.1, 1.0},   {"south", 0.0, -2.5, 0.5, 0.0, 6.0, 0.1, 1.0},
+    {"west", -3.0, 0.0, 0.5, 0.0, 0.1, 5.0, 1.0},   {"east", 3.0, 0.0, 0.5, 0.0, 0.1, 5.0, 1.0},
+    {"shelf", 1.7, 2.1, 0.5, 0.0, 0.8, 0.6, 1.0},   {"chest", 2.5, -1.4, 0.3, 0.0, 0.7, 0.9, 0.6},
+    {"crate", -2.4, -1.8, 0.3, 0.5, 0.6, 0.5, 0.6}, {"desk", -2.2, 1.9, 0.4, 0.0, 1.0, 0.6, 0.8}};
+
 std::string worldFile() {
   const std::string path = testing::TempDir() + "/pose_test.sdf";
-  const auto box = [](const std::string& name, const std::string& pose, const std::string& size) {
-    const std::string geometry = "<geometry><box><size>" + size + "</size></box></geometry>";
-    return "<model name='" + name + "'><static>true</static><pose>" + pose +
-           "</pose><link name='l'><collision name='c'>" + geometry +
-           "</collision><visual name='v'>" + geometry + "</visual></link></model>";
+  std::ofstream file(path);
+  file << "<?xml version='1.0'?><sdf version='1.9'><world name='test'>";
+  const auto write = [&file](const Box& box) {
+    std::ostringstream geometry;
+    geometry << "<geometry><box><size>" << box.length << " " << box.width << " " << box.height
+             << "</size></box></geometry>";
+    file << "<model name='" << box.name << "'><static>true</static><pose>" << box.x << " " << box.y
+         << " " << box.z << " 0 0 " << box.turn << "</pose><link name='l'><collision name='c'>"
+         << geometry.str() << "</collision><visual name='v'>" << geometry.str()
+         << "</visual></link></model>";
   };
-  std::ofstream(path) << "<?xml version='1.0'?><sdf version='1.9'><world name='test'>"
-                      << box("floor", "0 0 -0.5 0 0 0", "20 20 1")
-                      << box("north", "0 2.5 0.5 0 0 0", "6 0.1 1")
-                      << box("south", "0 -2.5 0.5 0 0 0", "6 0.1 1")
-                      << box("west", "-3 0 0.5 0 0 0", "0.1 5 1")
-                      << box("east", "3 0 0.5 0 0 0", "0.1 5 1")
-                      << box("shelf", "1.7 2.1 0.5 0 0 0", "0.8 0.6 1")
-                      << box("chest", "2.5 -1.4 0.3 0 0 0", "0.7 0.9 0.6")
-                      << box("crate", "-2.4 -1.8 0.3 0 0 0.5", "0.6 0.5 0.6")
-                      << box("desk", "-2.2 1.9 0.4 0 0 0", "1.0 0.6 0.8") << "</world></sdf>";
+  write({"floor", 0.0, 0.0, -0.5, 0.0, 20.0, 20.0, 1.0});
+  for (const Box& box : kRoom) write(box);
+  file << "</world></sdf>";
   return path;
+}
+
+/// The room as a map, with a threshold across its middle that no scanner sees.
+MapGrid mapOfTheRoom() {
+  MapGrid map;
+  map.header.frame_id = "map";
+  map.info.resolution = 0.05F;
+  map.info.width = map.info.height = 160;
+  map.info.origin.position.x = map.info.origin.position.y = -4.0;
+  map.info.origin.orientation.w = 1.0;
+  for (int row = 0; row < 160; ++row) {
+    for (int column = 0; column < 160; ++column) {
+      const Eigen::Vector2d place(-4.0 + 0.05 * (column + 0.5), -4.0 + 0.05 * (row + 0.5));
+      auto kind = std::abs(place.x() - 0.8) < 0.1 ? MapGrid::THRESHOLD : MapGrid::FREE;
+      for (const Box& box : kRoom) {
+        const Eigen::Vector2d inside = Pose2{box.x, box.y, box.turn}.toBase(place);
+        if (std::abs(inside.x()) <= 0.5 * box.length && std::abs(inside.y()) <= 0.5 * box.width) {
+          kind = MapGrid::OCCUPIED;
+        }
+      }
+      map.classes.push_back(kind);
+    }
+  }
+  return map;
 }
 
 Pose2 poseOf(const nav_msgs::Odometry& odometry) {
@@ -221,6 +258,60 @@ TEST_F(PoseNodelet, GoesWhereItIsSetAndRefusesWhatCannotBe) {
   ASSERT_TRUE(pose_.waitFor(before + 20));
   EXPECT_NEAR(tracked().x, 10.0, 0.1);
   EXPECT_NEAR(tracked().y, 5.0, 0.1);
+}
+
+/// The same robot in a map that it is given.
+class PoseInMap : public PoseNodelet {
+ protected:
+  void SetUp() override {
+    handle_.setParam("pose_tracker/match", "map");
+    PoseNodelet::SetUp();
+  }
+  void TearDown() override {
+    PoseNodelet::TearDown();
+    handle_.deleteParam("pose_tracker/match");
+  }
+  /// Where the robot is by the newest truth that the tracker has spoken of, seen from there.
+  std::optional<Pose2> error() const {
+    for (auto truth = truth_.all().rbegin(); truth != truth_.all().rend(); ++truth) {
+      const ros::Time stamp = (*truth)->header.stamp;
+      const auto odometry = counted_at_.find(stamp);
+      const auto correction = corrections_.find(stamp);
+      if (odometry == counted_at_.end() || correction == corrections_.end()) continue;
+      return relative(poseOf(**truth), composed(correction->second, odometry->second));
+    }
+    return std::nullopt;
+  }
+  bool isRight() const {
+    const auto off = error();
+    return off && off->position().norm() < 0.08 && std::abs(off->heading) < 0.05;
+  }
+
+  ros::Publisher map_ = handle_.advertise<MapGrid>("map_cells", 1, true);
+};
+
+TEST_F(PoseInMap, FindsBackFromAPoseSetBadly) {
+  map_.publish(mapOfTheRoom());
+  ASSERT_TRUE(spinUntil([this] {
+    return diagnostic("map_cells", "accepted") == "1" && error() && initial_.getNumSubscribers();
+  }));
+  const Pose2 truth = poseOf(*truth_.all().back());
+  const Pose2 wrong = composed(truth, {0.25, -0.16, 0.175});
+  setPose(wrong.x, wrong.y, wrong.heading, 0.1, "map");
+  ASSERT_TRUE(spinUntil([this] { return diagnostic("initialpose", "accepted") == "1"; }));
+  for (int round = 0; round < 6 && !isRight(); ++round) drive(0.0, 0.5, 2.0);
+  EXPECT_TRUE(isRight()) << error()->position().norm() << " m, " << error()->heading << " rad off";
+  // And stays there while the wheels slip.
+  for (int round = 0; round < 2; ++round) {
+    drive(0.2, 0.4, 4.0);
+    drive(-0.2, -0.3, 3.0);
+  }
+  EXPECT_TRUE(isRight()) << error()->position().norm() << " m, " << error()->heading << " rad off";
+  EXPECT_EQ(diagnostic("map_cells", "rejected"), "0");
+  MapGrid broken = mapOfTheRoom();
+  broken.classes.pop_back();
+  map_.publish(broken);
+  EXPECT_TRUE(spinUntil([this] { return diagnostic("map_cells", "rejected") == "1"; }));
 }
 
 TEST_F(PoseNodelet, GoesOnWhenTimeRunsBack) {

@@ -22,6 +22,14 @@ Pose2 poseAt(double stamp, bool steady) {
   return pose;
 }
 
+ScanMatch matchAt(const Pose2& pose) {
+  ScanMatch match;
+  match.found = true;
+  match.pose = pose;
+  match.covariance = Eigen::Vector3d(2.5e-5, 2.5e-5, 4e-6).asDiagonal();
+  return match;
+}
+
 /// Ten matches a second, stamped `late`, for some seconds. @param drift of odometry, of its way
 void drive(ScanLag& lag, double late, double seconds, bool steady, double drift = 0.0) {
   sim::Random random(3);
@@ -45,7 +53,7 @@ void drive(ScanLag& lag, double late, double seconds, bool steady, double drift 
         lately.push_back(entry);
       }
     }
-    lag.learn(used, matched, lately);
+    lag.learn(used, matchAt(matched), lately);
   }
 }
 
@@ -70,12 +78,12 @@ TEST(ScanLag, StaysWithinItsBoundsAndBearsNonsense) {
   drive(lag, 0.4, 20.0, false);
   EXPECT_LE(lag.seconds(), ScanLag::kMost);
   const double before = lag.seconds();
-  lag.learn(100.0, {NAN, 0.0, 0.0}, {{99.9, {}}, {100.0, {1.0, 0.0, 0.0}}});
-  lag.learn(101.0, {}, {});
-  lag.learn(102.0, {}, {{102.0, {}}});
+  lag.learn(100.0, matchAt({NAN, 0.0, 0.0}), {{99.9, {}}, {100.0, {1.0, 0.0, 0.0}}});
+  lag.learn(101.0, matchAt({}), {});
+  lag.learn(102.0, matchAt({}), {{102.0, {}}});
   // A match that went to the next room says nothing of the lag.
-  lag.learn(103.0, {0.0, 0.0, 0.0}, {{102.9, {}}, {103.0, {0.1, 0.0, 0.0}}});
-  lag.learn(103.6, {9.0, 3.0, 1.0}, {{103.5, {0.3, 0.0, 0.0}}, {103.6, {0.4, 0.0, 0.0}}});
+  lag.learn(103.0, matchAt({}), {{102.9, {}}, {103.0, {0.1, 0.0, 0.0}}});
+  lag.learn(103.6, matchAt({9.0, 3.0, 1.0}), {{103.5, {0.3, 0.0, 0.0}}, {103.6, {0.4, 0.0, 0.0}}});
   EXPECT_EQ(lag.seconds(), before);
 }
 

@@ -1,5 +1,7 @@
 #include "core/pose/scan_lag.hpp"
 
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -12,8 +14,8 @@ namespace {
 
 constexpr double kApart = 0.5;      // matches that are compared: at least [s]
 constexpr double kForgotten = 1.5;  // and at most [s]
-// Of two matches and of odometry between them, together. Neighbouring pairs share a match and what
-// is wrong with the map, so that so many count as one.
+// Of odometry between two matches and of the map, beside what the matches say of themselves.
+// Neighbouring pairs share a match and what is wrong with the map, so that so many count as one.
 constexpr double kPlaceError = 0.015, kTurnError = 0.01;  // [m], [rad]
 constexpr double kShared = 3.0;
 constexpr double kOutlier = 3.0;  // of those errors: a pair that went wrong
@@ -39,12 +41,12 @@ double ScanLag::spread() const {
   return std::sqrt(variance_);
 }
 
-void ScanLag::learn(double stamp, const Pose2& matched,
+void ScanLag::learn(double stamp, const ScanMatch& match,
                     const std::vector<std::pair<double, Pose2>>& way) {
   const auto twist = twistAt(stamp, way);
-  if (!twist || !matched.finite()) return;
+  if (!twist || !match.pose.finite() || !match.covariance.allFinite()) return;
   if (!sightings_.empty() && stamp <= sightings_.back().stamp) sightings_.clear();
-  const Sighting now{stamp, lag_, matched, TrackPiece(way).at(stamp), *twist};
+  const Sighting now{stamp, lag_, match.pose, match.covariance, TrackPiece(way).at(stamp), *twist};
   if (!sightings_.empty()) {
     variance_ += kWander * kWander * std::min(1.0, stamp - sightings_.back().stamp);
   }
@@ -69,12 +71,18 @@ void ScanLag::compare(const Sighting& before, const Sighting& now) {
   const Pose2 way = wayWith(lag_);
   const Eigen::Vector3d slope = vectorOf(relative(way, wayWith(lag_ + kStep))) / kStep;
   const Eigen::Vector3d off = vectorOf(relative(way, relative(before.matched, now.matched)));
-  const Eigen::Vector3d error(kPlaceError, kPlaceError, kTurnError);
-  const Eigen::Vector3d seen = off.cwiseQuotient(error), told = slope.cwiseQuotient(error);
-  if (!(seen.norm() <= kOutlier + told.norm() * kMost)) return;
-  const double information = told.squaredNorm() / kShared;
+  // In the base's frame now: of odometry and the map, and of the two matches.
+  Eigen::Matrix3d error =
+      Eigen::Vector3d(kPlaceError, kPlaceError, kTurnError).cwiseAbs2().asDiagonal();
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+  turn.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(-now.matched.heading).toRotationMatrix();
+  error += turn * (before.covariance + now.covariance) * turn.transpose();
+  const Eigen::LDLT<Eigen::Matrix3d> spread(error);
+  const double seen = std::sqrt(off.dot(spread.solve(off)));
+  const double information = slope.dot(spread.solve(slope)) / kShared;
+  if (!(seen <= kOutlier + kMost * std::sqrt(kShared * information))) return;
   variance_ /= 1.0 + variance_ * information;
-  lag_ += variance_ * told.dot(seen) / kShared;
+  lag_ += variance_ * slope.dot(spread.solve(off)) / kShared;
   lag_ = std::clamp(lag_, -kMost, kMost);
 }
 

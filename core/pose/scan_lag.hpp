@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/motion/planar.hpp"
+#include "core/pose/scan_matcher.hpp"
 
 namespace pilothouse {
 
@@ -24,20 +25,22 @@ class ScanLag {
   double spread() const;
   /// An accepted match.
   /// @param stamp of the scan after the lag was taken off, not before those of earlier calls.
-  /// @param matched T_map_base by the scan alone.
+  /// @param match by the scan alone; what it leaves open tells nothing of the lag.
   /// @param way by odometry, in a frame fixed to the floor that stays the same from call to call;
   /// over the last kWay. Too short: nothing is learnt.
-  void learn(double stamp, const Pose2& matched, const std::vector<std::pair<double, Pose2>>& way);
+  void learn(double stamp, const ScanMatch& match,
+             const std::vector<std::pair<double, Pose2>>& way);
   /// Matches to come have nothing to do with those before; the lag stays.
   void restart() { sightings_.clear(); }
 
  private:
   struct Sighting {
-    double stamp;   ///< the lag taken off
-    double lag;     ///< that was taken off
-    Pose2 matched;  ///< T_map_base
-    Pose2 driven;   ///< by odometry
-    Twist2 twist;   ///< by odometry, in the base frame
+    double stamp;                ///< the lag taken off
+    double lag;                  ///< that was taken off
+    Pose2 matched;               ///< T_map_base
+    Eigen::Matrix3d covariance;  ///< of that, in the map
+    Pose2 driven;                ///< by odometry
+    Twist2 twist;                ///< by odometry, in the base frame
   };
   void compare(const Sighting& before, const Sighting& now);
 
