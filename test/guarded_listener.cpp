@@ -6,11 +6,15 @@
 
 #include "doors/guarded_subscriber.hpp"
 
+namespace {
+constexpr std::uint32_t kQueue = 2000;  // all that a test sends: what a queue drops nobody answers
+}
+
 int main(int argc, char** argv) {
   ros::init(argc, argv, "guarded_listener");
   ros::NodeHandle nh;
-  ros::Publisher accepted = nh.advertise<std_msgs::UInt32>("accepted", 100);
-  ros::Publisher refused = nh.advertise<std_msgs::String>("refused", 100);
+  ros::Publisher accepted = nh.advertise<std_msgs::UInt32>("accepted", kQueue);
+  ros::Publisher refused = nh.advertise<std_msgs::String>("refused", kQueue);
   const boost::function<void(const sensor_msgs::PointCloud2ConstPtr&)> on_cloud =
       [&accepted](const sensor_msgs::PointCloud2ConstPtr& cloud) {
         std_msgs::UInt32 width;
@@ -21,13 +25,13 @@ int main(int argc, char** argv) {
   ros::NodeHandle("~").getParam("guarded", guarded);
   ros::Subscriber points = guarded
                                ? pilothouse::subscribeGuarded<sensor_msgs::PointCloud2>(
-                                     nh, "points", 100, on_cloud,
+                                     nh, "points", kQueue, on_cloud,
                                      [&refused](const std::string& reason) {
                                        std_msgs::String text;
                                        text.data = reason;
                                        refused.publish(text);
                                      })
-                               : nh.subscribe<sensor_msgs::PointCloud2>("points", 100, on_cloud);
+                               : nh.subscribe<sensor_msgs::PointCloud2>("points", kQueue, on_cloud);
   ros::spin();
   return 0;
 }
