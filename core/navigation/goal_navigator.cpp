@@ -16,12 +16,9 @@ constexpr double kNoMap = 3.0;        // without a map likewise [s]
 constexpr double kHeardAfter = 0.15;  // reports so soon after an order may be of the one before [s]
 constexpr double kGotOn = 0.05;       // nearer by so much is getting on [m]
 constexpr double kTurned = 0.15;      // and so is turning by so much [rad] ...
-constexpr double kLongestTurn = 12.0;    // ... for so long [s]
-constexpr double kMuchShorter = 0.85;    // a new way is taken when it is below this ...
-constexpr double kShorterAtLeast = 0.2;  // ... and shorter by so much [m]
-constexpr double kTrailStep = 0.05;      // [m]
+constexpr double kLongestTurn = 12.0;  // ... for so long [s]
+constexpr double kTrailStep = 0.05;    // [m]
 constexpr std::size_t kTrail = 100;
-constexpr double kTryAgain = 0.5;    // while there is no way one is sought so often [s]
 constexpr double kSpeedTime = 10.0;  // the speed is averaged over this [s]
 constexpr double kSlowest = 0.05;    // that a time is foretold with [m/s]
 constexpr int kArrivals = 5;
@@ -33,19 +30,14 @@ const NavigationParameters& checked(const NavigationParameters& parameters) {
   return parameters;
 }
 
-std::vector<Vector2d> placesOf(const std::vector<Pose2>& poses) {
-  std::vector<Vector2d> places;
-  for (const Pose2& pose : poses) places.push_back(pose.position());
-  return places;
-}
-
 }  // namespace
 
 GoalNavigator::GoalNavigator(const NavigationParameters& parameters, Planner& planner)
     : parameters_(checked(parameters)), planner_(planner), speed_(parameters.cruise) {}
 
-void GoalNavigator::start(const Goal& goal) {
+void GoalNavigator::start(const Goal& goal, std::vector<Goal> beyond) {
   goal_ = goal;
+  beyond_ = std::move(beyond);
   plans_ = 0;
   speed_ = parameters_.cruise;
   resume();
@@ -61,9 +53,14 @@ void GoalNavigator::resume() {
   phase_ = NavigationPhase::kPlanning;
   begins_ = true;
   path_.clear();
-  nearest_.reset();
   text_.clear();
   trail_.clear();
+  forget();
+}
+
+/// What it tried so far.
+void GoalNavigator::forget() {
+  nearest_.reset();
   tries_ = arrivals_ = 0;
   measure_ = Measure::kReplan;
   stuck_off_ = HUGE_VAL;
@@ -72,10 +69,6 @@ void GoalNavigator::resume() {
 void GoalNavigator::enter(NavigationPhase phase) {
   phase_ = phase;
   since_ = now_;
-}
-
-PlanRequest GoalNavigator::request(const NavigationInput& input) const {
-  return {*input.pose, goal_.place, goal_.heading};
 }
 
 bool GoalNavigator::isHeard(const NavigationInput& input, ExecutorReport::State state) const {
@@ -87,28 +80,6 @@ void GoalNavigator::send(std::vector<Pose2> poses, std::optional<double> heading
   sent_ = now_;
 }
 
-void GoalNavigator::take(Found found) {
-  path_ = std::move(found.plan.poses);
-  nearing_ = found.nearing;
-  route_ = Route(placesOf(path_), planner_.parameters().corners);
-  way_ = 0.0;
-  best_left_ = left();
-  got_on_ = turned_on_ = sought_ = now_;
-  revision_ = planner_.revision();
-  text_.clear();
-  send(path_, goal_.heading);
-  enter(NavigationPhase::kDriving);
-}
-
-/// A new way is not getting on.
-void GoalNavigator::change(Found found) {
-  const double got_on = got_on_, turned_on = turned_on_;
-  ++plans_;
-  take(std::move(found));
-  got_on_ = got_on;
-  turned_on_ = turned_on;
-}
-
 void GoalNavigator::fail(const std::string& text, const std::optional<Vector2d>& nearest) {
   if (!path_.empty() || phase_ != NavigationPhase::kPlanning) send({}, std::nullopt);
   path_.clear();
@@ -118,74 +89,7 @@ void GoalNavigator::fail(const std::string& text, const std::optional<Vector2d>&
 }
 
 double GoalNavigator::left() const {
-  return path_.empty() ? 0.0 : route_.length() - way_;
-}
-
-/// From here along the path to its end.
-std::vector<Pose2> GoalNavigator::rest(const Pose2& pose) const {
-  std::vector<Pose2> poses = {pose};
-  for (std::size_t i = route_.empty() ? path_.size() - 1 : route_.target(way_); i < path_.size();
-       ++i) {
-    poses.push_back(path_[i]);
-  }
-  return poses;
-}
-
-/// The part of it that what is seen is trusted to judge, and no farther than that: the outline at
-/// its end must not reach beyond.
-std::vector<Pose2> GoalNavigator::judged(const Pose2& pose) const {
-  std::vector<Pose2> poses = rest(pose);
-  if (!nearing_) return poses;
-  double left = std::max(0.1, parameters_.trust_distance - planner_.check().ample());
-  for (std::size_t i = 1; i < poses.size(); ++i) {
-    const Vector2d leg = poses[i].position() - poses[i - 1].position();
-    if (leg.norm() < left) {
-      left -= leg.norm();
-      continue;
-    }
-    const Vector2d end = poses[i - 1].position() + left / leg.norm() * leg;
-    poses[i] = {end.x(), end.y(), poses[i].heading};
-    poses.resize(i + 1);
-  }
-  return poses;
-}
-
-/// Round all that is seen. Where that leaves no way, round what is seen near by and what the map
-/// has: farther off the camera errs more, people walk on, and from nearer it is seen better.
-GoalNavigator::Found GoalNavigator::seek(const NavigationInput& input) {
-  Found found{planner_.plan(request(input)), false};
-  if (found.plan) return found;
-  std::vector<Planner::Mark> near;
-  for (const Planner::Mark& mark : planner_.marks()) {
-    const double off = (mark.place - input.pose->position()).norm() - mark.radius;
-    if (off < parameters_.trust_distance) near.push_back(mark);
-  }
-  if (near.size() == planner_.marks().size()) return found;
-  return {planner_.planAmong(near, request(input)), true};
-}
-
-/// @return whether there is a way; it is under way then.
-bool GoalNavigator::replan(const NavigationInput& input) {
-  ++plans_;
-  sought_ = now_;
-  Found found = seek(input);
-  if (found.plan) {
-    take(std::move(found));
-    return true;
-  }
-  const Plan& plan = found.plan;
-  const Plan clean = planner_.planAmong({}, request(input));
-  if (!clean) {
-    fail(textOf(clean.why), clean.nearest);
-    return false;
-  }
-  if (!path_.empty()) send({}, std::nullopt);
-  path_.clear();
-  nearest_ = plan.nearest;
-  text_ = std::string("blocked: ") + textOf(plan.why);
-  revision_ = planner_.revision();
-  if (phase_ != NavigationPhase::kWaiting) enter(NavigationPhase::kWaiting);
-  return false;
+  return path_.empty() ? 0.0 : std::max(0.0, ends_.front() - way_);
 }
 
 void GoalNavigator::planFirst(const NavigationInput& input) {
@@ -237,6 +141,7 @@ void GoalNavigator::drive(const NavigationInput& input) {
     }
   }
   if (path_.empty() && now_ - sought_ > kTryAgain && replan(input)) return;
+  lengthenInTime(input);
   if (ended()) return;
   if (!path_.empty()) hear(input);
   if (phase_ != NavigationPhase::kDriving && phase_ != NavigationPhase::kWaiting) return;
@@ -256,7 +161,7 @@ void GoalNavigator::hear(const NavigationInput& input) {
   if (idle || isHeard(input, ExecutorReport::kRefused)) {
     // It was started afresh, or had no pose: once more, at the pace of new plans.
     text_ = idle ? "the executor forgot its route" : "the executor refused: " + input.executor.text;
-    if (now_ - sent_ > parameters_.replan_period) send(rest(*input.pose), goal_.heading);
+    if (now_ - sent_ > parameters_.replan_period) send(rest(*input.pose), endHeading());
     return;
   }
   const bool waits = isHeard(input, ExecutorReport::kWaiting);
@@ -264,24 +169,6 @@ void GoalNavigator::hear(const NavigationInput& input) {
   const NavigationPhase phase = waits ? NavigationPhase::kWaiting : NavigationPhase::kDriving;
   if (phase != phase_) enter(phase);
   text_ = input.executor.text;
-}
-
-void GoalNavigator::seekShorter(const NavigationInput& input) {
-  sought_ = now_;
-  Plan plan = planner_.plan(request(input));
-  // A way through what was seen far off is left as soon as there is one round it.
-  const double most =
-      nearing_ ? HUGE_VAL : std::min(kMuchShorter * left(), left() - kShorterAtLeast);
-  if (!plan || plan.length > most) return;
-  change({std::move(plan), false});
-}
-
-/// Things turn out larger the more of them is seen: while it can still go by them, it goes by with
-/// the room that a way should have.
-void GoalNavigator::seekRoomier(const NavigationInput& input) {
-  sought_ = now_;
-  Found found = seek(input);
-  if (found.plan) change(std::move(found));
 }
 
 void GoalNavigator::arrive(const NavigationInput& input) {
@@ -306,7 +193,7 @@ NavigationOutput GoalNavigator::step(const NavigationInput& input) {
   const double dt = input.now - now_;
   // Time was set back, or this is the first step: what is measured begins now.
   if (begins_ || dt < 0.0) {
-    since_ = sent_ = sought_ = got_on_ = turned_on_ = placed_ = input.now;
+    since_ = sent_ = sought_ = got_on_ = turned_on_ = lengthened_ = placed_ = input.now;
     begins_ = false;
   }
   now_ = input.now;

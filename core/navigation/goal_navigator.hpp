@@ -73,7 +73,14 @@ class GoalNavigator {
   /// @param planner outlives this. @throws std::invalid_argument listing every fault.
   GoalNavigator(const NavigationParameters& parameters, Planner& planner);
 
-  void start(const Goal& goal);
+  /// @param beyond goals that it is to drive on to without standing at those before; what has been
+  ///   planned of that is one way with the one to `goal`.
+  void start(const Goal& goal, std::vector<Goal> beyond = {});
+  /// The goal counts as reached: on to the next, which was the first beyond, on the way under way
+  /// where that leads there. @param beyond that one.
+  void goOn(const Goal& next, std::vector<Goal> beyond);
+  /// Whether the way under way leads on beyond the goal, and the robot has come past it on it.
+  bool isPast() const { return ends_.size() > 1 && way_ >= ends_.front(); }
   void cancel();
   /// What it knows of getting stuck is forgotten and the way planned anew: after a pause.
   void resume();
@@ -85,6 +92,8 @@ class GoalNavigator {
   }
 
  private:
+  static constexpr double kTryAgain = 0.5;  // while there is no way one is sought so often [s]
+
   enum class Measure { kReplan, kLook, kBack, kRest };
   /// A way, and whether it leads through what is seen far off.
   struct Found {
@@ -108,10 +117,14 @@ class GoalNavigator {
   void fail(const std::string& text, const std::optional<Eigen::Vector2d>& nearest);
   void send(std::vector<Pose2> poses, std::optional<double> heading);
   void take(Found found);
+  void forget();
+  bool lengthen();
+  void lengthenInTime(const NavigationInput& input);
   void change(Found found);
   void enter(NavigationPhase phase);
   bool isHeard(const NavigationInput& input, ExecutorReport::State state) const;
   double left() const;
+  std::optional<double> endHeading() const;
   std::vector<Pose2> rest(const Pose2& pose) const;
   std::vector<Pose2> judged(const Pose2& pose) const;
   PlanRequest request(const NavigationInput& input) const;
@@ -121,19 +134,21 @@ class GoalNavigator {
   Planner& planner_;
   NavigationPhase phase_ = NavigationPhase::kIdle;
   Goal goal_;
+  std::vector<Goal> beyond_;
   std::string text_;
   std::vector<Pose2> path_;  ///< none: there is no way now, or it manoeuvres
   Route route_;              ///< the path as it is driven
   double way_ = 0.0;         ///< along it [m]
+  std::deque<double> ends_;  ///< ways at which it comes to the goal and to those beyond [m]
   bool nearing_ = false;     ///< it leads through what is seen far off
   std::optional<Eigen::Vector2d> nearest_;
   std::optional<DriveOrder> order_;
   unsigned plans_ = 0;
   bool begins_ = false;
   // Times [s]: of this step, when the phase began, of the last order, of the last plan, of the last
-  // pose, and when it last got on and turned.
+  // pose, when it last got on and turned, and of the last try to lengthen its way.
   double now_ = 0.0, since_ = 0.0, sent_ = 0.0, sought_ = 0.0, placed_ = 0.0;
-  double got_on_ = 0.0, turned_on_ = 0.0;
+  double got_on_ = 0.0, turned_on_ = 0.0, lengthened_ = 0.0;
   double best_left_ = 0.0;  ///< [m]
   double turned_to_ = 0.0;  ///< [rad]
   std::uint32_t revision_ = 0;

@@ -7,6 +7,9 @@
 namespace pilothouse {
 namespace {
 
+constexpr double kAside = 0.05;         // the base may drive so far beside its way [m]
+constexpr std::size_t kMostAhead = 16;  // points that may be planned to beyond the next
+
 /// To one stop after the other.
 class FollowRoute : public Behaviour {
  public:
@@ -14,8 +17,9 @@ class FollowRoute : public Behaviour {
       : stops_(wish.stops),
         loop_(wish.loop),
         pass_distance_(tools.navigation.pass_distance),
+        joins_(pass_distance_ > tools.planner.parameters().corners.max_cut + kAside),
         navigator_(tools.navigation, tools.planner) {
-    navigator_.start(stops_.front().goal);
+    navigator_.start(stops_.front().goal, beyond());
   }
   void resume() override { navigator_.resume(); }
   std::string skip() override {
@@ -33,7 +37,12 @@ class FollowRoute : public Behaviour {
       status_ = output.status;
       report.order = output.order;
       if (status_.phase == NavigationPhase::kFailed) report.state = BehaviourReport::kFailed;
-      if (status_.phase == NavigationPhase::kReached || passes(input)) arrive(now);
+      if (passes(input)) {
+        at_ = next(at_);
+        navigator_.goOn(stops_[at_].goal, beyond());
+      } else if (status_.phase == NavigationPhase::kReached) {
+        arrive(now);
+      }
     }
     if (pausing_) wait(now, report);
     report.navigation = status_;
@@ -45,21 +54,36 @@ class FollowRoute : public Behaviour {
   }
 
  private:
+  std::size_t next(std::size_t at) const { return (at + 1) % stops_.size(); }
   bool isLast() const { return at_ + 1 == stops_.size() && !loop_; }
   bool advance() {
     if (isLast()) return false;
-    at_ = (at_ + 1) % stops_.size();
+    at_ = next(at_);
     pausing_ = false;
-    navigator_.start(stops_[at_].goal);
+    navigator_.start(stops_[at_].goal, beyond());
     return true;
+  }
+  /// Whether the robot need not stand there.
+  bool isThrough(std::size_t at) const {
+    const RouteStop& stop = stops_[at];
+    const bool last = at + 1 == stops_.size() && !loop_;
+    return !stop.goal.heading && stop.pause == 0.0 && !last && stops_.size() > 1;
+  }
+  /// What it drives on to beyond the next point, up to the first at which it stands.
+  std::vector<Goal> beyond() const {
+    std::vector<Goal> goals;
+    for (std::size_t at = at_; joins_ && isThrough(at) && goals.size() < kMostAhead;) {
+      at = next(at);
+      goals.push_back(stops_[at].goal);
+    }
+    return goals;
   }
   /// Near enough to a point at which it need not stand.
   bool passes(const TaskInput& input) const {
-    const RouteStop& stop = stops_[at_];
-    const bool through = !stop.goal.heading && stop.pause == 0.0 && !isLast() && stops_.size() > 1;
     const auto& pose = input.navigation.pose;
-    return through && status_.phase == NavigationPhase::kDriving && pose &&
-           (pose->position() - stop.goal.place).norm() < pass_distance_;
+    if (!isThrough(at_) || status_.phase != NavigationPhase::kDriving || !pose) return false;
+    return navigator_.isPast() ||
+           (pose->position() - stops_[at_].goal.place).norm() < pass_distance_;
   }
   void arrive(double now) {
     pausing_ = true;
@@ -105,6 +129,7 @@ class FollowRoute : public Behaviour {
   std::vector<RouteStop> stops_;
   bool loop_;
   double pass_distance_;
+  bool joins_;  ///< a rounded corner passes its point near enough
   GoalNavigator navigator_;
   NavigationStatus status_;
   std::size_t at_ = 0;
