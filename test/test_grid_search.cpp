@@ -5,6 +5,7 @@
 #include <random>
 
 #include "core/planning/path_smoother.hpp"
+#include "core/planning/reach.hpp"
 #include "core/planning/textbook_dijkstra.hpp"
 #include "test/map_rooms.hpp"
 
@@ -112,6 +113,7 @@ TEST(CostField, UpdatedInAWindowIsAsIfNew) {
 TEST(GridSearch, FindsTheTextbooksCostOnHundredsOfRandomMaps) {
   std::mt19937 random(3);
   GridSearch search;
+  Reach reach;
   std::vector<Cell> way;
   int found = 0, none = 0;
   for (int run = 0; run < 400; ++run) {
@@ -122,10 +124,11 @@ TEST(GridSearch, FindsTheTextbooksCostOnHundredsOfRandomMaps) {
     if (start.x < 0) continue;
     const auto cost = search.find(field, start, goal);
     ASSERT_EQ(cost, textbookDijkstra(field, start, goal)) << "run " << run;
-    ASSERT_EQ(search.reached(field, goal), cost.has_value());
+    reach.spread(field, start);
+    ASSERT_EQ(reach.holds(field, goal), cost.has_value());
     ++(cost ? found : none);
     if (!cost) continue;
-    search.trace(field, way);
+    search.trace(way);
     ASSERT_TRUE(way.front() == start && way.back() == goal);
     std::uint32_t sum = 0;
     for (std::size_t i = 1; i < way.size(); ++i) {
@@ -139,6 +142,83 @@ TEST(GridSearch, FindsTheTextbooksCostOnHundredsOfRandomMaps) {
   }
   EXPECT_GT(found, 200);
   EXPECT_GT(none, 20) << "too few maps without a way to say anything about them";
+}
+
+/// What may happen to a map: things come and go, here or all over; a door shuts.
+CellWindow changeAnything(MapRoom& room, std::mt19937& random) {
+  const auto below = [&random](int n) {
+    return static_cast<int>(random() % static_cast<unsigned>(n));
+  };
+  CellWindow changed;
+  const int places = 1 + below(4);
+  for (int i = 0; i < places; ++i) {
+    const int x = below(room.map.size_x), y = below(room.map.size_y);
+    const bool wall = below(6) == 0;
+    const int to_x = std::min(room.map.size_x, x + 1 + below(wall ? 80 : 8));
+    const int to_y = std::min(room.map.size_y, y + 1 + below(wall ? 2 : 8));
+    const bool gone = below(2) == 0;
+    room.fill(x, y, to_x, to_y, gone ? MapCell::kFree : static_cast<MapCell>(below(5)));
+    changed.include(x, y);
+    changed.include(to_x - 1, to_y - 1);
+  }
+  return changed;
+}
+
+TEST(GridSearch, MendedIsAsFromNothingOnHundredsOfRandomMaps) {
+  std::mt19937 random(7);
+  GridSearch mended;
+  std::vector<Cell> way, fresh_way;
+  int found = 0, none = 0;
+  std::size_t mended_cells = 0, fresh_cells = 0;
+  for (int run = 0; run < 300; ++run) {
+    MapRoom room = randomRoom(random);
+    CostField field({}, kInscribed, kReach);
+    field.take(room.map);
+    const Cell goal = freeCell(field, random);
+    Cell start = freeCell(field, random);
+    for (int change = 0; change < 12 && start.x >= 0; ++change) {
+      if (field.weight(goal.x, goal.y) == 0) break;
+      if (field.weight(start.x, start.y) == 0) start = freeCell(field, random);
+      const auto cost = mended.find(field, start, goal);
+      GridSearch fresh;
+      ASSERT_EQ(cost, fresh.find(field, start, goal)) << "run " << run << ", change " << change;
+      ASSERT_EQ(cost, textbookDijkstra(field, start, goal));
+      ++(cost ? found : none);
+      if (change > 0) {
+        mended_cells += mended.expanded();
+        fresh_cells += fresh.expanded();
+      }
+      if (cost) {
+        mended.trace(way);
+        fresh.trace(fresh_way);
+        ASSERT_EQ(way, fresh_way) << "run " << run << ", change " << change;
+        start = way[std::min<std::size_t>(way.size() - 1, random() % 12)];
+      }
+      // Some searches see several changes at once, and cells that a planner closed and opened.
+      for (auto i = random() % 3; i < 2; ++i) {
+        field.update(room.map, changeAnything(room, random));
+      }
+      if (random() % 3 == 0) field.set(start.x + 1, start.y, static_cast<int>(random() % 2) * 32);
+    }
+  }
+  EXPECT_GT(found, 1000);
+  EXPECT_GT(none, 100);
+  EXPECT_LT(2 * mended_cells, fresh_cells) << "mending is to save work";
+}
+
+TEST(GridSearch, TakesAnotherFieldForAnother) {
+  GridSearch search;
+  std::optional<std::uint32_t> costs[2];
+  for (const bool walled : {false, true}) {
+    // Both lie at the same place in memory, and are of one size.
+    MapRoom room(60, 60);
+    if (walled) room.fill(30, 0, 32, 60);
+    CostField field({}, kInscribed, kReach);
+    field.take(room.map);
+    costs[walled ? 1 : 0] = search.find(field, {15, 30}, {45, 30});
+  }
+  EXPECT_TRUE(costs[0]);
+  EXPECT_FALSE(costs[1]);
 }
 
 TEST(PathSmoother, NeverCostsMoreAndNeverTouchesWhatIsClosed) {
@@ -155,7 +235,7 @@ TEST(PathSmoother, NeverCostsMoreAndNeverTouchesWhatIsClosed) {
     if (start.x < 0) continue;
     const auto cost = search.find(field, start, goal);
     if (!cost) continue;
-    search.trace(field, way);
+    search.trace(way);
     smoother.smooth(field, way, points);
     ASSERT_EQ(points.front(), GridPoint(start.x + 0.5, start.y + 0.5));
     ASSERT_EQ(points.back(), GridPoint(goal.x + 0.5, goal.y + 0.5));

@@ -309,6 +309,52 @@ TEST(Planner, GoesRoundAMarkAndBackWhenItIsGone) {
   EXPECT_EQ(after.length, before.length);
 }
 
+TEST(Planner, PlansAnewAsAPlannerThatHasJustComeWould) {
+  std::mt19937 random(9);
+  const auto uniform = [&random](double low, double high) {
+    return low + (high - low) * static_cast<double>(random() % 1000) / 1000.0;
+  };
+  int found = 0, none = 0;
+  for (int run = 0; run < 40; ++run) {
+    MapRoom room(120, 100);
+    room.addBoxes(random, 10);
+    Planner kept({}, box(0.35, 0.15), BaseKind::kDifferential);
+    kept.setMap(room.map);
+    PlanRequest request =
+        from(uniform(0.4, 5.6), uniform(0.4, 4.6), uniform(0.4, 5.6), uniform(0.4, 4.6));
+    for (int step = 0; step < 12; ++step) {
+      std::vector<Planner::Mark> marks;
+      for (auto i = random() % 4; i > 0; --i) {
+        marks.push_back({{uniform(0.0, 6.0), uniform(0.0, 5.0)}, uniform(0.0, 0.4)});
+      }
+      if (random() % 4 == 0) {
+        room.addBoxes(random, 1);
+        kept.setMap(room.map);
+      }
+      kept.mark(marks);
+      Planner fresh({}, box(0.35, 0.15), BaseKind::kDifferential);
+      fresh.setMap(room.map);
+      fresh.mark(marks);
+      const Plan plan = kept.plan(request), expected = fresh.plan(request);
+      ASSERT_EQ(plan.why, expected.why) << "run " << run << ", step " << step;
+      ASSERT_EQ(plan.length, expected.length) << "run " << run << ", step " << step;
+      ASSERT_EQ(plan.cost, expected.cost);
+      ASSERT_EQ(plan.nearest, expected.nearest);
+      ASSERT_EQ(kept.planWithoutMarks(request).length, fresh.planWithoutMarks(request).length);
+      ++(plan ? found : none);
+      if (plan && plan.length > 0.5) {
+        std::vector<Eigen::Vector2d> points;
+        for (const Pose2& pose : plan.poses) points.push_back(pose.position());
+        const Route::Place next = Route(points, kept.parameters().corners).at(0.2);
+        request.start = {next.position.x(), next.position.y(),
+                         std::atan2(next.direction.y(), next.direction.x())};
+      }
+    }
+  }
+  EXPECT_GT(found, 150);
+  EXPECT_GT(none, 20);
+}
+
 TEST(Planner, CrossesAThresholdOnlyWhereTheWayRoundIsMuchLonger) {
   MapRoom room(120, 100);
   room.fill(60, 1, 62, 60);

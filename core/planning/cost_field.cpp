@@ -1,6 +1,7 @@
 #include "core/planning/cost_field.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <stdexcept>
 
@@ -8,6 +9,12 @@ namespace pilothouse {
 namespace {
 
 constexpr double kFarAway = 1e3;  // beyond the reach [m]
+
+/// Unlike any before, so that nobody takes one field for another.
+std::uint64_t newRevision() {
+  static std::atomic<std::uint64_t> last{0};
+  return ++last;
+}
 
 std::size_t at(MapCell cell) {
   return static_cast<std::size_t>(cell);
@@ -70,6 +77,7 @@ void CostField::take(const MapCells& map) {
   if (!same) {
     layOut(map.cell_size);
     blocked_.resize(map.cells.size());
+    revisions_.assign(static_cast<std::size_t>(size_y_), 0);
     weights_.assign(static_cast<std::size_t>(stride()) * static_cast<std::size_t>(size_y_ + 2), 0);
   }
   update(map, {0, 0, size_x_, size_y_});
@@ -85,12 +93,19 @@ void CostField::update(const MapCells& map, const CellWindow& changed) {
   weigh(map, clearances_.update(blocked_.data(), window));
 }
 
+void CostField::set(int x, int y, int weight) {
+  weights_[index(x, y)] = static_cast<std::uint8_t>(weight);
+  revisions_[static_cast<std::size_t>(y)] = newRevision();
+}
+
 void CostField::weigh(const MapCells& map, const CellWindow& window) {
+  const std::uint64_t revision = newRevision();
   std::array<const std::uint8_t*, 5> tables{};
   for (std::size_t kind = 0; kind < tables.size(); ++kind) tables[kind] = tables_[kind].data();
   for (int y = window.y0; y < window.y1; ++y) {
     const std::int16_t* const squares = clearances_.row(y);
     const MapCell* const cells = map.cells.data() + map.index(0, y);
+    revisions_[static_cast<std::size_t>(y)] = revision;
     std::uint8_t* const weights = weights_.data() + index(0, y);
     for (int x = window.x0; x < window.x1; ++x) {
       weights[x] = tables[at(cells[x])][static_cast<std::size_t>(squares[x])];

@@ -39,7 +39,9 @@ class CostField {
   std::uint8_t weight(int x, int y) const { return weights_[index(x, y)]; }
   /// For a search that must keep off a cell though nothing is there, or may go there though it is
   /// near to something; until the next update there.
-  void set(int x, int y, int weight) { weights_[index(x, y)] = static_cast<std::uint8_t>(weight); }
+  void set(int x, int y, int weight);
+  /// Another number, of all that any field had, whenever weights of the row may have changed.
+  std::uint64_t revision(int y) const { return revisions_[static_cast<std::size_t>(y)]; }
 
   /// Distance from the cell's middle to the edge of the nearest blocked cell, straight; too little
   /// by a fifth of a cell at most where that lies askew [m]. Large where it is beyond the reach.
@@ -70,6 +72,7 @@ class CostField {
   std::array<std::vector<std::uint8_t>, 5> tables_;  ///< weight by MapCell and square
   std::vector<std::uint8_t> blocked_;
   std::vector<std::uint8_t> weights_;
+  std::vector<std::uint64_t> revisions_;  ///< of rows
 };
 
 }  // namespace pilothouse

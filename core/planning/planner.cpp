@@ -81,11 +81,10 @@ void Planner::fail(NoWay why, const PlanRequest& request, const PlanEnds& ends, 
   const Vector2d high(map().centreX(map().size_x - 1), map().centreY(map().size_y - 1));
   const Vector2d goal = request.goal.cwiseMax(low).cwiseMin(high);
   const Cell middle{map().column(goal.x()), map().row(goal.y())};
-  search_.find(field_, ends.start, middle);
-  plan.expanded += search_.expanded();
+  reach_.spread(field_, ends.start);
   double least = HUGE_VAL;
   const auto look = [&](int x, int y) {
-    if (!map().contains(x, y) || !search_.reached(field_, {x, y})) return;
+    if (!map().contains(x, y) || !reach_.holds(field_, {x, y})) return;
     const Vector2d place(map().centreX(x), map().centreY(y));
     const double off = (place - request.goal).norm();
     if (off >= least) return;
@@ -108,7 +107,7 @@ void Planner::fail(NoWay why, const PlanRequest& request, const PlanEnds& ends, 
 
 /// The search's way, pulled straight, as points of the map's frame.
 void Planner::lay(const PlanRequest& request, const PlanEnds& ends, Plan& plan) {
-  search_.trace(field_, cells_);
+  search_.trace(cells_);
   smoother_.smooth(field_, cells_, grid_points_);
   points_.clear();
   points_.push_back(request.start.position());

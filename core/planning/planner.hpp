@@ -8,6 +8,7 @@
 #include "core/planning/outline_walk.hpp"
 #include "core/planning/path_smoother.hpp"
 #include "core/planning/plan_ends.hpp"
+#include "core/planning/reach.hpp"
 
 namespace pilothouse {
 
@@ -77,6 +78,7 @@ class Planner {
   CostField field_;
   MarkedMap map_;
   GridSearch search_;
+  Reach reach_;
   PathSmoother smoother_;
   std::vector<Cell> cells_;
   std::vector<GridPoint> grid_points_;
