@@ -2,17 +2,13 @@
 /// docs/evaluation.md defines what is counted.
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <cstdio>
 #include <iostream>
-#include <thread>
 
+#include "bench/campaign.hpp"
 #include "bench/drive_trial.hpp"
 #include "bench/eval_options.hpp"
-#include "bench/floor_bars.hpp"
 #include "bench/json_line.hpp"
-#include "doors/package_files.hpp"
 #include "sim/random.hpp"
 
 namespace pilothouse::bench {
@@ -71,48 +67,19 @@ void print(const DriveResult& r) {
   std::cout << json.str() << std::endl;
 }
 
-std::vector<RobotDescription> robots() {
-  std::vector<RobotDescription> all;
-  for (const std::string name : {"platform", "docker"}) {
-    const auto robot = readRobotFile(packageFile("config/robots/" + name + ".yaml"));
-    if (!robot) throw std::runtime_error(robot.reason());
-    all.push_back(*robot);
-  }
-  // No robot of the package rolls on mecanum wheels: the platform's body on such a base.
-  RobotDescription sideways = all[0];
-  sideways.name = "platform_mecanum";
-  sideways.base = "omnidirectional";
-  sideways.drive.kind = BaseKind::kOmnidirectional;
-  all.push_back(sideways);
-  return all;
-}
-
-std::vector<DriveResult> driveAll(const std::vector<DriveTask>& tasks) {
-  std::vector<DriveResult> results(tasks.size());
-  std::atomic<std::size_t> next{0};
-  const auto work = [&] {
-    for (std::size_t i = next++; i < tasks.size(); i = next++) {
-      results[i] = runDrive(tasks[i], kMaxSeconds);
-    }
-  };
-  std::thread other(work);
-  work();
-  other.join();
-  return results;
-}
-
 int run(const EvalOptions& options) {
-  const auto fleet = robots();
+  const auto fleet = campaignRobots();
   std::vector<DriveTask> tasks;
   for (int i = 0; i < options.runs; ++i) {
     const auto& robot = fleet[static_cast<std::size_t>(i) % fleet.size()];
     tasks.push_back({i, sim::mixSeed(options.seed, static_cast<std::uint64_t>(i)), &robot});
   }
   Totals totals;
-  for (const DriveResult& result : driveAll(tasks)) {
+  const auto drive = [](const DriveTask& task) { return runDrive(task, kMaxSeconds); };
+  runCampaign(tasks, drive, [&](const DriveResult& result) {
     print(result);
     totals.add(result);
-  }
+  });
   const double false_stops = 100.0 * totals.false_stop / std::max(1e-9, totals.wanting);
   const double reached = 100.0 * totals.reached / std::max(1, totals.free);
   const std::vector<Bar> bars = {
@@ -123,14 +90,9 @@ int run(const EvalOptions& options) {
       {"blocked_held_percent", 100.0 * totals.blocked_held / std::max(1, totals.blocked),
        totals.blocked > 0 ? 100.0 : 0.0, true},
   };
-  bool pass = true;
+  const bool pass = tellBars(bars);
   JsonLine summary;
   summary.text("eval", "drive").truth("summary", true);
-  for (const Bar& bar : bars) {
-    pass = pass && bar.isMet();
-    std::fprintf(stderr, "%-22s %10.4f   %s %g %s\n", bar.name.c_str(), bar.value,
-                 bar.at_least ? ">=" : "<=", bar.limit, bar.isMet() ? "met" : "MISSED");
-  }
   summary.truth("pass", pass).whole("runs", totals.runs).whole("seed", options.seed);
   for (const Bar& bar : bars) summary.number(bar.name, bar.value, 4);
   summary.whole("contacts_by_robot", totals.contacts).whole("run_into_standing", totals.run_into);

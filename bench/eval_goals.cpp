@@ -2,19 +2,15 @@
 /// the map lacks, and judges by the truth. docs/evaluation.md defines what is counted.
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <cstdio>
 #include <iostream>
 #include <opencv2/imgcodecs.hpp>
-#include <thread>
 
+#include "bench/campaign.hpp"
 #include "bench/eval_options.hpp"
-#include "bench/floor_bars.hpp"
 #include "bench/goal_figure.hpp"
 #include "bench/goal_trial.hpp"
 #include "bench/json_line.hpp"
-#include "doors/package_files.hpp"
 #include "sim/random.hpp"
 
 namespace pilothouse::bench {
@@ -103,37 +99,8 @@ void draw(const GoalResult& result, const std::string& folder) {
   if (!cv::imwrite(file, drawGoal(result))) throw std::runtime_error("cannot write " + file);
 }
 
-std::vector<RobotDescription> robots() {
-  std::vector<RobotDescription> all;
-  for (const std::string name : {"platform", "docker"}) {
-    const auto robot = readRobotFile(packageFile("config/robots/" + name + ".yaml"));
-    if (!robot) throw std::runtime_error(robot.reason());
-    all.push_back(*robot);
-  }
-  RobotDescription sideways = all[0];
-  sideways.name = "platform_mecanum";
-  sideways.base = "omnidirectional";
-  sideways.drive.kind = BaseKind::kOmnidirectional;
-  all.push_back(sideways);
-  return all;
-}
-
-std::vector<GoalResult> runAll(const std::vector<GoalTask>& tasks) {
-  std::vector<GoalResult> results(tasks.size());
-  std::atomic<std::size_t> next{0};
-  const auto work = [&] {
-    for (std::size_t i = next++; i < tasks.size(); i = next++) {
-      results[i] = runGoal(tasks[i], kMaxSeconds);
-    }
-  };
-  std::thread other(work);
-  work();
-  other.join();
-  return results;
-}
-
 int run(const EvalOptions& options) {
-  const auto fleet = robots();
+  const auto fleet = campaignRobots();
   std::vector<GoalTask> tasks;
   for (int i = 0; i < options.runs; ++i) {
     GoalTask task;
@@ -145,11 +112,12 @@ int run(const EvalOptions& options) {
     if (!options.only || i == *options.only) tasks.push_back(task);
   }
   Totals totals;
-  for (const GoalResult& result : runAll(tasks)) {
+  const auto drive = [](const GoalTask& task) { return runGoal(task, kMaxSeconds); };
+  runCampaign(tasks, drive, [&](const GoalResult& result) {
     print(result);
     if (!options.out.empty() && (options.only || isMissed(result))) draw(result, options.out);
     totals.add(result);
-  }
+  });
   const std::vector<Bar> bars = {
       {"reached_percent", 100.0 * totals.reached / std::max(1, totals.possible), 99.5, true},
       {"unreachable_told_percent", 100.0 * totals.told / std::max(1, totals.impossible),
@@ -160,14 +128,9 @@ int run(const EvalOptions& options) {
       {"final_error_m", totals.off, 0.05, false},
       {"final_error_deg", totals.turned_off * kDegrees, 3.0, false},
   };
-  bool pass = true;
+  const bool pass = tellBars(bars);
   JsonLine summary;
   summary.text("eval", "goals").truth("summary", true);
-  for (const Bar& bar : bars) {
-    pass = pass && bar.isMet();
-    std::fprintf(stderr, "%-26s %10.4f   %s %g %s\n", bar.name.c_str(), bar.value,
-                 bar.at_least ? ">=" : "<=", bar.limit, bar.isMet() ? "met" : "MISSED");
-  }
   summary.truth("pass", pass).whole("runs", totals.runs).whole("seed", options.seed);
   for (const Bar& bar : bars) summary.number(bar.name, bar.value, 4);
   summary.whole("possible", totals.possible).whole("rooms_without_goal", totals.skipped);
