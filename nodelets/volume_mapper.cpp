@@ -173,7 +173,7 @@ class VolumeMapper : public nodelet::Nodelet {
   std::string map_frame_ = "map";
   double rate_ = 3.0;            ///< pictures that are taken [Hz], 0.1..30
   double publish_period_ = 1.0;  ///< [s], 0.2..60
-  int most_shown_ = 20000;       ///< voxels that are published, 1..1000000
+  int most_shown_ = 100000;      ///< voxels that are published, 1..1000000
   std::unique_ptr<VolumeKeeper> keeper_;
   CameraInfoPairing pairing_{
       [this](const Image::ConstPtr& image, const Info::ConstPtr& info) { keep(image, info); },

@@ -43,7 +43,7 @@ RosStreams::RosStreams(ConsoleState& state, Helm* helm)
        {"camera/depth/image_rect", "camera/depth/camera_info", "camera/depth/points",
         "camera/rgb/image_rect_color", "camera/rgb/image_rect_color/compressed", "floor_grid",
         "objects/camera", "objects/merged", "objects/filtered", "speed_limit", "stop_state", "odom",
-        "map_cells", "pose", "plan_path", "task_state"}) {
+        "map_cells", "pose", "plan_path", "task_state", "volume_points"}) {
     names[topic] = node_.resolveName(topic);
   }
   state_.names.set(names);

@@ -1,8 +1,10 @@
+#include <QAction>
 #include <QCoreApplication>
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QLibrary>
 #include <QPainter>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "gui/view/header_strip.hpp"
@@ -25,16 +27,30 @@ QString hindrance() {
   return {};
 }
 
-/// The floor and obstacle points in 3D, drawn by librviz, which is loaded when the panel is first
-/// shown and a master answers.
+/// The floor and obstacle points and the space that was learnt in 3D, drawn by librviz, which is
+/// loaded when the panel is first shown and a master answers.
 class ScenePanel : public Panel {
  public:
   explicit ScenePanel(const PanelContext& panel_context)
       : Panel(panel_context),
         library_(pluginFile()),
         layout_(new QVBoxLayout(this)),
-        strip_(new HeaderStrip(tr("3D view"))) {
+        strip_(new HeaderStrip(tr("3D view"))),
+        volume_(new QToolButton) {
     strip_->withoutFigures();
+    volume_->setText(tr("Volume"));
+    volume_->setObjectName("scene_volume");
+    volume_->setCheckable(true);
+    volume_->setChecked(true);
+    volume_->setFont(theme::smallFont());
+    volume_->setProperty("segment", "alone");
+    volume_->setFixedHeight(24);
+    volume_->setFocusPolicy(Qt::NoFocus);
+    strip_->addControl(volume_);
+    connect(volume_, &QToolButton::toggled, this, [this] { showVolume(); });
+    toggle_ = new QAction(tr("The space that was learnt"), this);
+    toggle_->setShortcut(Qt::Key_B);
+    connect(toggle_, &QAction::triggered, volume_, &QToolButton::toggle);
     layout_->setContentsMargins(0, 0, 0, 0);
     setMinimumSize(160, 100);
   }
@@ -57,10 +73,12 @@ class ScenePanel : public Panel {
     } else if (connected && isVisible() && fault_.isEmpty()) {
       make(link);
     }
+    showVolume();
     update();
   }
 
   QWidget* titleStrip() override { return strip_; }
+  QVector<QAction*> menuActions() override { return {toggle_}; }
   bool complete() const override { return scene_ != nullptr || !fault_.isEmpty(); }
 
  protected:
@@ -76,6 +94,22 @@ class ScenePanel : public Panel {
   }
 
  private:
+  /// Nothing is asked for while nobody sees it.
+  void showVolume() {
+    bool drawn = false;
+    if (scene_) {
+      using Show = bool (*)(QWidget*, bool);
+      const auto show = reinterpret_cast<Show>(library_.resolve("pilothouseShowVolume"));
+      drawn = show && show(scene_, volume_->isChecked() && scene_->isVisible());
+    }
+    volume_->setToolTip(
+        drawn || !volume_->isChecked()
+            ? tr("The space that was learnt, in cubes: dark on the floor, bright 1.2 m above (B)")
+            : tr("Nothing has come on %1 yet (B). It is learnt with volume:=true:\n"
+                 "roslaunch pilothouse robot.launch ... volume:=true")
+                  .arg(QString::fromStdString(shownTopic(context().state, "volume_points"))));
+  }
+
   void make(const LinkStatus& link) {
     using Make = QWidget* (*)(const char*);
     const auto make_scene = reinterpret_cast<Make>(library_.resolve("pilothouseMakeScene"));
@@ -92,6 +126,8 @@ class ScenePanel : public Panel {
   QLibrary library_;
   QVBoxLayout* layout_;
   HeaderStrip* strip_;
+  QToolButton* volume_;
+  QAction* toggle_ = nullptr;
   QWidget* scene_ = nullptr;
   double made_since_ = 0.0;
   QString fault_;
