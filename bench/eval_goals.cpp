@@ -80,6 +80,7 @@ void print(const GoalResult& r) {
   json.text("robot", r.task.robot->name).truth("still", r.task.still);
   json.truth("possible", r.possible).truth("reached", r.reached).truth("failed", r.failed);
   json.number("seconds", r.seconds, 2).number("driven_m", r.driven, 3);
+  json.number("planned_m", r.planned, 3);
   json.number("shortest_m", r.shortest, 3).number("off_m", r.off, 4);
   json.number("turned_off_deg", r.turned_off * kDegrees, 2).whole("plans", r.plans);
   json.whole("contacts", r.contacts).whole("run_into", r.run_into).text("touched", r.touched);

@@ -216,6 +216,7 @@ GoalResult runGoal(const GoalTask& task, double max_seconds) {
     note(output.status, step, step.time - asked, result.record);
     status = output.status;
     if (output.order) drive(loop, *output.order);
+    if (result.planned == 0.0) result.planned = status.distance_left.value_or(0.0);
     if (navigator.ended()) break;
   }
   result.record.trail.push_back(step.pose);

@@ -37,6 +37,7 @@ struct GoalResult {
   double seconds = 0.0;          ///< simulated
   double longest_thought = 0.0;  ///< of the navigator in a step, real time [s]
   double said_after = 0.0;       ///< gave its verdict, that time on top [s]
+  double planned = 0.0;          ///< the first way [m]
   double driven = 0.0;           ///< [m]
   /// Of the middle of the circle within the footprint at the planner's clearance, in the room as it
   /// is [m]; infinite where it gets there only nearer to things.
