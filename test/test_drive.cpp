@@ -13,8 +13,7 @@
 #include <std_srvs/Trigger.h>
 #include <xmlrpcpp/XmlRpcClient.h>
 
-#include <fstream>
-
+#include "test/box_world.hpp"
 #include "test/floor_harness.hpp"
 
 namespace pilothouse {
@@ -22,18 +21,8 @@ namespace {
 
 /// A floor, a pillar 12 cm beside the way along x, and a box that stands aside.
 std::string worldFile() {
-  const std::string path = testing::TempDir() + "/drive_test.sdf";
-  const auto box = [](const std::string& name, const std::string& pose, const std::string& size) {
-    const std::string geometry = "<geometry><box><size>" + size + "</size></box></geometry>";
-    return "<model name='" + name + "'><static>true</static><pose>" + pose +
-           "</pose><link name='l'><collision name='c'>" + geometry +
-           "</collision><visual name='v'>" + geometry + "</visual></link></model>";
-  };
-  std::ofstream(path) << "<?xml version='1.0'?><sdf version='1.9'><world name='test'>"
-                      << box("floor", "0 0 -0.5 0 0 0", "20 20 1")
-                      << box("pillar", "1.8 0.42 0.4 0 0 0", "0.2 0.2 0.8")
-                      << box("box", "-5 5 0.3 0 0 0", "0.4 0.6 0.6") << "</world></sdf>";
-  return path;
+  return writeBoxWorld("drive_test", {{"pillar", 1.8, 0.42, 0.4, 0.0, 0.2, 0.2, 0.8},
+                                      {"box", -5.0, 5.0, 0.3, 0.0, 0.4, 0.6, 0.6}});
 }
 
 /// Keeps the newest of what the chain says.

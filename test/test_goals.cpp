@@ -17,9 +17,9 @@
 #include <std_srvs/Trigger.h>
 
 #include <cmath>
-#include <fstream>
 #include <limits>
 
+#include "test/box_world.hpp"
 #include "test/floor_harness.hpp"
 
 namespace pilothouse {
@@ -30,19 +30,9 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 /// A hall with a wall across it at x = 2, open from y = -1 to 1; behind that a box that the map
 /// does not have.
 std::string worldFile() {
-  const std::string path = testing::TempDir() + "/goals_test.sdf";
-  const auto box = [](const std::string& name, const std::string& pose, const std::string& size) {
-    const std::string geometry = "<geometry><box><size>" + size + "</size></box></geometry>";
-    return "<model name='" + name + "'><static>true</static><pose>" + pose +
-           "</pose><link name='l'><collision name='c'>" + geometry +
-           "</collision><visual name='v'>" + geometry + "</visual></link></model>";
-  };
-  std::ofstream(path) << "<?xml version='1.0'?><sdf version='1.9'><world name='test'>"
-                      << box("floor", "0 0 -0.5 0 0 0", "20 20 1")
-                      << box("left", "2 2.5 0.4 0 0 0", "0.1 3 0.8")
-                      << box("right", "2 -2.5 0.4 0 0 0", "0.1 3 0.8")
-                      << box("box", "3.4 0 0.3 0 0 0", "0.3 0.3 0.6") << "</world></sdf>";
-  return path;
+  return writeBoxWorld("goals_test", {{"left", 2.0, 2.5, 0.4, 0.0, 0.1, 3.0, 0.8},
+                                      {"right", 2.0, -2.5, 0.4, 0.0, 0.1, 3.0, 0.8},
+                                      {"box", 3.4, 0.0, 0.3, 0.0, 0.3, 0.3, 0.6}});
 }
 
 MapGrid worldMap() {

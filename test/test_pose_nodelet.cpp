@@ -8,49 +8,27 @@
 #include <tf2_msgs/TFMessage.h>
 
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <map>
 #include <optional>
-#include <sstream>
 
 #include "core/pose/pose_algebra.hpp"
 #include "doors/motion_views.hpp"
+#include "test/box_world.hpp"
 #include "test/floor_harness.hpp"
 
 namespace pilothouse {
 namespace {
 
-struct Box {
-  const char* name;
-  double x, y, z, turn;          ///< of its middle [m, rad]
-  double length, width, height;  ///< [m]
-};
-
 /// A room with things in it.
-constexpr Box kRoom[] = {
+const std::vector<WorldBox> kRoom = {
     {"north", 0.0, 2.5, 0.5, 0.0, 6.0, 0.1, 1.0},   {"south", 0.0, -2.5, 0.5, 0.0, 6.0, 0.1, 1.0},
     {"west", -3.0, 0.0, 0.5, 0.0, 0.1, 5.0, 1.0},   {"east", 3.0, 0.0, 0.5, 0.0, 0.1, 5.0, 1.0},
     {"shelf", 1.7, 2.1, 0.5, 0.0, 0.8, 0.6, 1.0},   {"chest", 2.5, -1.4, 0.3, 0.0, 0.7, 0.9, 0.6},
     {"crate", -2.4, -1.8, 0.3, 0.5, 0.6, 0.5, 0.6}, {"desk", -2.2, 1.9, 0.4, 0.0, 1.0, 0.6, 0.8}};
 
 std::string worldFile() {
-  const std::string path = testing::TempDir() + "/pose_test.sdf";
-  std::ofstream file(path);
-  file << "<?xml version='1.0'?><sdf version='1.9'><world name='test'>";
-  const auto write = [&file](const Box& box) {
-    std::ostringstream geometry;
-    geometry << "<geometry><box><size>" << box.length << " " << box.width << " " << box.height
-             << "</size></box></geometry>";
-    file << "<model name='" << box.name << "'><static>true</static><pose>" << box.x << " " << box.y
-         << " " << box.z << " 0 0 " << box.turn << "</pose><link name='l'><collision name='c'>"
-         << geometry.str() << "</collision><visual name='v'>" << geometry.str()
-         << "</visual></link></model>";
-  };
-  write({"floor", 0.0, 0.0, -0.5, 0.0, 20.0, 20.0, 1.0});
-  for (const Box& box : kRoom) write(box);
-  file << "</world></sdf>";
-  return path;
+  return writeBoxWorld("pose_test", kRoom);
 }
 
 /// The room as a map, with a threshold across its middle that no scanner sees.
@@ -65,7 +43,7 @@ MapGrid mapOfTheRoom() {
     for (int column = 0; column < 160; ++column) {
       const Eigen::Vector2d place(-4.0 + 0.05 * (column + 0.5), -4.0 + 0.05 * (row + 0.5));
       auto kind = std::abs(place.x() - 0.8) < 0.1 ? MapGrid::THRESHOLD : MapGrid::FREE;
-      for (const Box& box : kRoom) {
+      for (const WorldBox& box : kRoom) {
         const Eigen::Vector2d inside = Pose2{box.x, box.y, box.turn}.toBase(place);
         if (std::abs(inside.x()) <= 0.5 * box.length && std::abs(inside.y()) <= 0.5 * box.width) {
           kind = MapGrid::OCCUPIED;

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "test/box_world.hpp"
 #include "test/floor_harness.hpp"
 
 namespace pilothouse {
@@ -22,17 +23,7 @@ namespace {
 
 /// A world of the test's own, in a file: floor, and a box 2 m ahead.
 std::string worldFile() {
-  const std::string path = testing::TempDir() + "/simulator_test.sdf";
-  const auto box = [](const std::string& name, const std::string& pose, const std::string& size) {
-    const std::string geometry = "<geometry><box><size>" + size + "</size></box></geometry>";
-    return "<model name='" + name + "'><static>true</static><pose>" + pose +
-           "</pose><link name='l'><collision name='c'>" + geometry +
-           "</collision><visual name='v'>" + geometry + "</visual></link></model>";
-  };
-  std::ofstream(path) << "<?xml version='1.0'?><sdf version='1.9'><world name='test'>"
-                      << box("floor", "0 0 -0.5 0 0 0", "20 20 1")
-                      << box("box", "2 0 0.2 0 0 0", "0.4 0.4 0.4") << "</world></sdf>";
-  return path;
+  return writeBoxWorld("simulator_test", {{"box", 2.0, 0.0, 0.2, 0.0, 0.4, 0.4, 0.4}});
 }
 
 /// A simulator in a namespace of its own, whose robot the launch file put there.
