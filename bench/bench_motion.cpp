@@ -1,19 +1,15 @@
 // How long the way is judged, the stop gate steps, and where the simulator's time goes. See --help.
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
-#include <cstdio>
-#include <fstream>
-#include <functional>
-#include <iostream>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "bench/bench_options.hpp"
 #include "bench/gate_bench.hpp"
-#include "bench/interleaved_timing.hpp"
-#include "bench/json_line.hpp"
+#include "bench/limit_table.hpp"
 #include "core/motion/local_memory.hpp"
 #include "core/motion/speed_limiter.hpp"
 #include "doors/package_files.hpp"
@@ -176,25 +172,7 @@ void addMemory(std::vector<TimedCase>& cases) {
                    std::nullopt});
 }
 
-constexpr double kNoLimit = std::numeric_limits<double>::infinity();
-
-/// Prints and writes one line; @return whether the limit is kept.
-bool tell(std::ostream& out, const std::string& name, double median, double p95, double limit) {
-  JsonLine line;
-  line.text("bench", "motion").text("case", name).number("median_ms", median, 5);
-  line.number("p95_ms", p95, 5);
-  std::printf("%-36s %10.5f %10.5f", name.c_str(), median, p95);
-  const bool kept = median <= limit;
-  if (limit < kNoLimit) {
-    line.number("ratio", median / limit, 3).text("of", "limit").number("limit_ms", limit, 4);
-    std::printf(" %8.3f%s", median / limit, kept ? "" : "  MISSED");
-  }
-  std::printf("\n");
-  out << line.str() << '\n';
-  return kept;
-}
-
-bool timeSimulator(std::ostream& out, int seconds) {
+void timeSimulator(LimitTable& table, int seconds) {
   const auto world = sim::loadWorld(packageFile("maps/furnished_room.sdf"));
   if (!world) throw std::runtime_error(world.reason());
   sim::Simulation simulation(world->world, simRobotOf(robot("platform")));
@@ -210,36 +188,27 @@ bool timeSimulator(std::ostream& out, int seconds) {
   for (std::size_t part = 0; part < sim::PartTimes::kParts; ++part) {
     const double ms = 1000.0 * times.seconds(static_cast<sim::PartTimes::Part>(part)) / frames;
     known += ms;
-    tell(out, std::string("simulator, ") + sim::PartTimes::kNames[part], ms, ms, kNoLimit);
+    table.tell(std::string("simulator, ") + sim::PartTimes::kNames[part], ms, ms, std::nullopt);
   }
-  tell(out, "simulator, rest", all.count() / frames - known, all.count() / frames - known,
-       kNoLimit);
-  return tell(out, "simulator, a frame", all.count() / frames, all.count() / frames, kSimulationMs);
+  const double frame = all.count() / frames;
+  table.tell("simulator, rest", frame - known, frame - known, std::nullopt);
+  table.tell("simulator, a frame", frame, frame, kSimulationMs);
 }
 
-int run(const BenchOptions& options) {
-  std::ofstream out;
-  if (!options.out.empty()) {
-    out.open(options.out);
-    if (!out) refuse(kCommand, "cannot write " + options.out);
-  }
-  pinToOneProcessor();
+void run(const BenchOptions& options, LimitTable& table) {
   std::vector<TimedCase> cases;
   addWays(cases);
   addGate(cases);
   addMemory(cases);
-  measure(cases, options.rounds, std::max(5, options.rounds / 20));
-  std::printf("%-36s %10s %10s %8s\n", "case", "median ms", "p95 ms", "of limit");
-  bool kept = true;
+  table.measure(cases);
   for (const auto& c : cases) {
     const double share = c.name == kGateCase ? 1.0 / kGateSteps : 1.0;
-    const double limit = c.limit ? *c.limit * share : kNoLimit;
-    kept = tell(out, c.name, share * quantile(c.times_ms, 0.5), share * quantile(c.times_ms, 0.95),
-                limit) &&
-           kept;
+    std::optional<double> limit;
+    if (c.limit) limit = *c.limit * share;
+    table.tell(c.name, share * quantile(c.times_ms, 0.5), share * quantile(c.times_ms, 0.95),
+               limit);
   }
-  kept = timeSimulator(out, std::max(2, options.rounds / 30)) && kept;
-  return kept ? 0 : 1;
+  timeSimulator(table, std::max(2, options.rounds / 30));
 }
 
 }  // namespace
@@ -247,10 +216,5 @@ int run(const BenchOptions& options) {
 
 int main(int argc, char** argv) {
   using namespace pilothouse::bench;
-  const BenchOptions options = readOptions(kCommand, argc, argv);
-  try {
-    return run(options);
-  } catch (const std::exception& fault) {
-    refuse(kCommand, fault.what());
-  }
+  return runBench(kCommand, argc, argv, 5, run);
 }

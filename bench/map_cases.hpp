@@ -1,9 +1,8 @@
 #pragma once
 
-#include <ostream>
 #include <vector>
 
-#include "bench/interleaved_timing.hpp"
+#include "bench/limit_table.hpp"
 
 namespace pilothouse::bench {
 
@@ -15,11 +14,11 @@ void addOccupancyCases(std::vector<TimedCase>& cases);
 /// The standard frame into the octree, as the robot goes round, beside OctoMap's own insertion.
 void addVolumeCases(std::vector<TimedCase>& cases);
 
-/// Maps of 400^2, 1000^2 and 4000^2 cells taken and planned over from corner to corner, a way that
-/// is blocked planned anew, and textbook Dijkstra beside.
+/// Maps of 400^2, 1000^2 and 4000^2 cells taken and planned over from nothing, from corner to
+/// corner, textbook Dijkstra beside; and planned over anew: something stands in the way, somebody
+/// walks across it, a few cells of the map change.
 void addPlanningCases(std::vector<TimedCase>& cases);
-/// The planner's bars, which are ratios. Prints and writes a line each.
-/// @return whether all are met.
-bool judgePlanning(std::ostream& out, const std::vector<TimedCase>& cases);
+/// The planner's bars that are ratios.
+void judgePlanning(LimitTable& table, const std::vector<TimedCase>& cases);
 
 }  // namespace pilothouse::bench

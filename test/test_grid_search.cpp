@@ -123,7 +123,7 @@ TEST(GridSearch, FindsTheTextbooksCostOnHundredsOfRandomMaps) {
     const Cell start = freeCell(field, random), goal = freeCell(field, random);
     if (start.x < 0) continue;
     const auto cost = search.find(field, start, goal);
-    ASSERT_EQ(cost, textbookDijkstra(field, start, goal)) << "run " << run;
+    ASSERT_EQ(cost, TextbookDijkstra().find(field, start, goal)) << "run " << run;
     reach.spread(field, start);
     ASSERT_EQ(reach.holds(field, goal), cost.has_value());
     ++(cost ? found : none);
@@ -182,7 +182,7 @@ TEST(GridSearch, MendedIsAsFromNothingOnHundredsOfRandomMaps) {
       const auto cost = mended.find(field, start, goal);
       GridSearch fresh;
       ASSERT_EQ(cost, fresh.find(field, start, goal)) << "run " << run << ", change " << change;
-      ASSERT_EQ(cost, textbookDijkstra(field, start, goal));
+      ASSERT_EQ(cost, TextbookDijkstra().find(field, start, goal));
       ++(cost ? found : none);
       if (change > 0) {
         mended_cells += mended.expanded();

@@ -2,12 +2,28 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 namespace pilothouse {
 namespace {
 
-constexpr double kBeyond = 1.0;  // so much more than a place that is to be covered [m]
+constexpr double kBeyond = 1.0;        // so much more than a place that is to be covered [m]
+constexpr int kPiece = 64;             // what changed is found in squares of this side [cells]
+constexpr std::size_t kMostShare = 4;  // where more than a quarter of them did, all are taken
+
+bool sameLayout(const MapCells& a, const MapCells& b) {
+  return a.size_x == b.size_x && a.size_y == b.size_y && a.cell_size == b.cell_size &&
+         a.origin_x == b.origin_x && a.origin_y == b.origin_y && a.cells.size() == b.cells.size();
+}
+
+/// Calls visit(begin, count) for the rows of a window: where they lie among the cells.
+template <class Visit>
+void eachRow(const MapCells& map, const CellWindow& window, Visit visit) {
+  for (int y = window.y0; y < window.y1; ++y) {
+    visit(map.index(window.x0, y), static_cast<std::size_t>(window.x1 - window.x0));
+  }
+}
 
 }  // namespace
 
@@ -51,18 +67,58 @@ void MarkedMap::cover(const Vector2d& place, CostField& field) {
 }
 
 void MarkedMap::take(const MapCells& map, CostField& field) {
-  if (rim_ > 0 || covered_) {
-    MapCells all = grown(map);
-    field.take(all);
+  const bool grows = rim_ > 0 || covered_;
+  MapCells all;
+  if (grows) all = grown(map);
+  const MapCells& whole = grows ? all : map;
+  if (sameLayout(whole, clean_) && map_.size_x > 0) {
+    if (renew(whole, field)) ++revision_;
+    return;
+  }
+  field.take(whole);
+  if (grows) {
     clean_ = std::move(all);
   } else {
-    field.take(map);
     clean_ = map;
   }
   map_ = clean_;
   marked_.clear();
   ++revision_;
   mark(std::vector<MapMark>(marks_), field);
+}
+
+/// Takes over what another map of the same layout has otherwise. @return whether it has anything.
+bool MarkedMap::renew(const MapCells& map, CostField& field) {
+  changed_.clear();
+  std::size_t pieces = 0;
+  for (int y = 0; y < map.size_y; y += kPiece) {
+    for (int x = 0; x < map.size_x; x += kPiece, ++pieces) {
+      const CellWindow piece{x, y, std::min(map.size_x, x + kPiece),
+                             std::min(map.size_y, y + kPiece)};
+      bool same = true;
+      eachRow(map, piece, [&](std::size_t begin, std::size_t count) {
+        same = same && std::memcmp(&map.cells[begin], &clean_.cells[begin], count) == 0;
+      });
+      if (!same) changed_.push_back(piece);
+    }
+  }
+  if (changed_.empty()) return false;
+  marking_.clear();
+  put(field);
+  for (const CellWindow& piece : changed_) {
+    eachRow(map, piece, [&](std::size_t begin, std::size_t count) {
+      std::memcpy(&clean_.cells[begin], &map.cells[begin], count);
+      std::memcpy(&map_.cells[begin], &map.cells[begin], count);
+    });
+  }
+  if (changed_.size() * kMostShare > pieces) {
+    field.take(map_);
+  } else {
+    for (const CellWindow& piece : changed_) field.update(map_, piece);
+  }
+  layOut();
+  put(field);
+  return true;
 }
 
 /// Whether the map itself has something as grave there or beside: then it was seen a little off.
@@ -92,18 +148,24 @@ void MarkedMap::layOut(const MapMark& mark) {
   }
 }
 
-bool MarkedMap::mark(const std::vector<MapMark>& marks, CostField& field) {
-  marks_ = marks;
+/// All marks, as cells.
+void MarkedMap::layOut() {
   marking_.clear();
   for (const MapMark& mark : marks_) layOut(mark);
   std::sort(marking_.begin(), marking_.end());
   marking_.erase(std::unique(marking_.begin(), marking_.end()), marking_.end());
+}
+
+bool MarkedMap::mark(const std::vector<MapMark>& marks, CostField& field) {
+  marks_ = marks;
+  layOut();
   if (marking_ == marked_) return false;
   put(field);
   ++revision_;
   return true;
 }
 
+/// Lays out `marking_` for `marked_`.
 void MarkedMap::put(CostField& field) {
   CellWindow changed;
   const auto width = static_cast<std::size_t>(map_.size_x);

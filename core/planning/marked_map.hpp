@@ -24,7 +24,8 @@ class MarkedMap {
   void surround(int rim) { rim_ = rim; }
   /// And so many that a place lies among them: the way there leads out of the map.
   void cover(const Eigen::Vector2d& place, CostField& field);
-  /// A new map; marks stay. `field` is of what comes of it.
+  /// A new map; marks stay. `field` is of what comes of it; of a map that lies as the last one did
+  /// it takes what changed.
   /// @throws std::invalid_argument naming what is wrong with its size.
   void take(const MapCells& map, CostField& field);
   /// Replaces all earlier marks. What lies within a cell of something as grave in the map is that.
@@ -41,12 +42,15 @@ class MarkedMap {
  private:
   MapCells grown(const MapCells& map) const;
   bool known(int x, int y, MapCell kind) const;
+  bool renew(const MapCells& map, CostField& field);
+  void layOut();
   void layOut(const MapMark& mark);
   void put(CostField& field);
 
   MapCells clean_, map_;  ///< without and with marks
   std::vector<MapMark> marks_;
   std::vector<std::size_t> marked_, marking_;  ///< cell * 8 + kind, rising
+  std::vector<CellWindow> changed_;
   std::uint32_t revision_ = 0;
   int rim_ = 0;
   std::optional<Eigen::Vector2d> covered_;
