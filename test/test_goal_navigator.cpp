@@ -210,6 +210,20 @@ TEST(GoTo, WhatStandsAtTheGoalIsSaidFromNearBy) {
   EXPECT_GT(off, 0.5);
 }
 
+TEST(GoTo, HeldWithinItsToleranceOfTheGoalItOnlyTurns) {
+  TaskHarness robot(hall().map);
+  robot.pose.x = 1.01;
+  robot.goTo(5.0, 1.5, 2.0);
+  ASSERT_TRUE(robot.runUntil([&] { return robot.pose.x > 4.955; }));
+  robot.held = true;
+  ASSERT_TRUE(robot.runToEnd(20.0));
+  EXPECT_EQ(robot.output.task.phase, TaskPhase::kDone) << robot.output.task.text;
+  EXPECT_NEAR(robot.pose.x, 4.96, 1e-6) << "nearer it was not let";
+  EXPECT_NEAR(robot.pose.heading, 2.0, 0.05);
+  EXPECT_FALSE(robot.was(NavigationPhase::kLooking));
+  EXPECT_FALSE(robot.was(NavigationPhase::kBacking));
+}
+
 TEST(GoTo, StuckItLooksRoundBacksOffAndGivesUpWithTheReason) {
   NavigationParameters parameters;
   parameters.tries = 2;

@@ -17,6 +17,7 @@ constexpr double kHeardAfter = 0.15;  // reports so soon after an order may be o
 constexpr double kGotOn = 0.05;       // nearer by so much is getting on [m]
 constexpr double kTurned = 0.15;      // and so is turning by so much [rad] ...
 constexpr double kLongestTurn = 12.0;  // ... for so long [s]
+constexpr double kHeldAtGoal = 0.25;   // within its tolerance that is as near as it gets [s]
 constexpr double kTrailStep = 0.05;    // [m]
 constexpr std::size_t kTrail = 100;
 constexpr double kSpeedTime = 10.0;  // the speed is averaged over this [s]
@@ -64,6 +65,7 @@ void GoalNavigator::forget() {
   tries_ = arrivals_ = 0;
   measure_ = Measure::kReplan;
   stuck_off_ = HUGE_VAL;
+  settling_ = false;
 }
 
 void GoalNavigator::enter(NavigationPhase phase) {
@@ -129,7 +131,7 @@ void GoalNavigator::follow(const NavigationInput& input, double dt) {
 
 void GoalNavigator::drive(const NavigationInput& input) {
   // On a way through what is seen far off more of that comes near, whether or not it changes.
-  if (revision_ != planner_.revision() || nearing_) {
+  if ((revision_ != planner_.revision() || nearing_) && !settling_) {
     revision_ = planner_.revision();
     const bool blocked = path_.empty() || !planner_.free(judged(*input.pose));
     if (blocked && (!path_.empty() || now_ - sought_ > kTryAgain)) {
@@ -149,7 +151,8 @@ void GoalNavigator::drive(const NavigationInput& input) {
   const double on = std::max(got_on_, std::min(turned_on_, got_on_ + kLongestTurn));
   if (now_ - on > parameters_.patience) {
     stuck(input);
-  } else if (phase_ == NavigationPhase::kDriving && now_ - sought_ > parameters_.replan_period) {
+  } else if (phase_ == NavigationPhase::kDriving && !settling_ &&
+             now_ - sought_ > parameters_.replan_period) {
     seekShorter(input);
   }
 }
@@ -169,6 +172,16 @@ void GoalNavigator::hear(const NavigationInput& input) {
   const NavigationPhase phase = waits ? NavigationPhase::kWaiting : NavigationPhase::kDriving;
   if (phase != phase_) enter(phase);
   text_ = input.executor.text;
+  if (waits && now_ - since_ > kHeldAtGoal) settle(input);
+}
+
+/// Held within the tolerance of the goal it is there: nearer it would not be let, and the executor,
+/// whose tolerance is its own, would go back to look. Only the heading is left to do.
+void GoalNavigator::settle(const NavigationInput& input) {
+  const double off = (input.pose->position() - goal_.place).norm();
+  if (settling_ || ends_.size() > 1 || off > parameters_.position_tolerance) return;
+  settling_ = true;
+  send({*input.pose}, goal_.heading);
 }
 
 void GoalNavigator::arrive(const NavigationInput& input) {

@@ -105,6 +105,7 @@ class GoalNavigator {
   void follow(const NavigationInput& input, double dt);
   void drive(const NavigationInput& input);
   void hear(const NavigationInput& input);
+  void settle(const NavigationInput& input);
   void arrive(const NavigationInput& input);
   bool replan(const NavigationInput& input);
   void seekShorter(const NavigationInput& input);
@@ -141,6 +142,7 @@ class GoalNavigator {
   double way_ = 0.0;         ///< along it [m]
   std::deque<double> ends_;  ///< ways at which it comes to the goal and to those beyond [m]
   bool nearing_ = false;     ///< it leads through what is seen far off
+  bool settling_ = false;    ///< it is near enough and only turns
   std::optional<Eigen::Vector2d> nearest_;
   std::optional<DriveOrder> order_;
   unsigned plans_ = 0;

@@ -31,6 +31,7 @@ PlanRequest GoalNavigator::request(const NavigationInput& input) const {
 void GoalNavigator::take(Found found) {
   path_ = std::move(found.plan.poses);
   nearing_ = found.nearing;
+  settling_ = false;
   route_ = Route(placesOf(path_), planner_.parameters().corners);
   way_ = 0.0;
   ends_ = {route_.length()};
