@@ -246,6 +246,28 @@ TEST(GoTo, StuckItLooksRoundBacksOffAndGivesUpWithTheReason) {
   EXPECT_LT(robot.now - since, 120.0);
 }
 
+TEST(GoTo, GoesToLookAtWhatItIsTooNearToToSee) {
+  // Somebody walked on, but what was seen of them stays in mind while the robot is nearer to it
+  // than its camera sees, or looks elsewhere.
+  TaskHarness robot(hall().map);
+  const Eigen::Vector2d gone(4.9, 1.5);
+  bool remembered = true;
+  const auto step = [&] {
+    const Eigen::Vector2d seen = robot.pose.toBase(gone);
+    const bool in_view = seen.x() > 0.8 && std::abs(seen.y()) < 0.5 * seen.x();
+    const bool came = robot.pose.x > 4.3;
+    if (came && in_view) remembered = false;
+    robot.planner.mark(came && remembered ? std::vector<Planner::Mark>{{gone, 0.1}}
+                                          : std::vector<Planner::Mark>{});
+    return robot.output.task.phase >= TaskPhase::kDone;
+  };
+  robot.goTo(5.0, 1.5);
+  ASSERT_TRUE(robot.runUntil(step));
+  EXPECT_EQ(robot.output.task.phase, TaskPhase::kDone) << robot.output.task.text;
+  EXPECT_FALSE(remembered);
+  EXPECT_TRUE(robot.was(NavigationPhase::kBacking));
+}
+
 TEST(GoTo, GetsOnWhenWhatHeldItHasLeft) {
   TaskHarness robot(hall().map);
   robot.goTo(5.0, 1.5);

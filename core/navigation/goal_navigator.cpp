@@ -66,6 +66,7 @@ void GoalNavigator::forget() {
   measure_ = Measure::kReplan;
   stuck_off_ = HUGE_VAL;
   settling_ = false;
+  looked_from_.clear();
 }
 
 void GoalNavigator::enter(NavigationPhase phase) {

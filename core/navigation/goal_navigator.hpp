@@ -114,6 +114,10 @@ class GoalNavigator {
   void lookRound(const NavigationInput& input);
   void lookTo(int look);
   bool backOff(const NavigationInput& input);
+  bool lookAtBlock(const NavigationInput& input);
+  std::optional<Eigen::Vector2d> blockOf(const NavigationInput& input);
+  bool drivesToLook(const NavigationInput& input, const Eigen::Vector2d& from,
+                    const Eigen::Vector2d& block);
   void manoeuvre(const NavigationInput& input);
   void fail(const std::string& text, const std::optional<Eigen::Vector2d>& nearest);
   void send(std::vector<Pose2> poses, std::optional<double> heading);
@@ -151,6 +155,7 @@ class GoalNavigator {
   // pose, when it last got on and turned, and of the last try to lengthen its way.
   double now_ = 0.0, since_ = 0.0, sent_ = 0.0, sought_ = 0.0, placed_ = 0.0;
   double got_on_ = 0.0, turned_on_ = 0.0, lengthened_ = 0.0;
+  double longest_ = 0.0;    ///< that it manoeuvres [s]
   double best_left_ = 0.0;  ///< [m]
   double turned_to_ = 0.0;  ///< [rad]
   std::uint32_t revision_ = 0;
@@ -160,7 +165,8 @@ class GoalNavigator {
   std::string stuck_by_;
   Pose2 look_from_;
   std::deque<Pose2> trail_;
-  double speed_;  ///< made so far, slowly averaged [m/s]
+  std::vector<Eigen::Vector2d> looked_from_;  ///< at what was in the way, in this case
+  double speed_;                              ///< made so far, slowly averaged [m/s]
 };
 
 }  // namespace pilothouse
