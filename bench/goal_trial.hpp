@@ -1,24 +1,12 @@
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "core/mapping/map_cells.hpp"
-#include "core/navigation/goal_navigator.hpp"
-#include "doors/robot_description.hpp"
+#include "bench/goal_errand.hpp"
 
 namespace pilothouse::bench {
-
-/// One run of the campaign: a random furnished room, a goal in it, one of the robots.
-struct GoalTask {
-  int run = 0;
-  std::uint64_t seed = 0;
-  const RobotDescription* robot = nullptr;
-  bool still = false;        ///< nobody walks and the map knows everything: lengths are judged
-  bool unreachable = false;  ///< the goal is where the robot cannot get to
-};
 
 /// What a figure of a run shows.
 struct GoalRecord {
