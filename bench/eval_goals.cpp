@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iostream>
 #include <opencv2/imgcodecs.hpp>
+#include <stdexcept>
 
 #include "bench/campaign.hpp"
 #include "bench/eval_options.hpp"
@@ -101,6 +102,10 @@ void draw(const GoalResult& result, const std::string& folder) {
 }
 
 int run(const EvalOptions& options) {
+  if (options.only && *options.only >= options.runs) {
+    throw std::invalid_argument("--only is " + std::to_string(*options.only) +
+                                ", expected less than --runs, " + std::to_string(options.runs));
+  }
   const auto fleet = campaignRobots();
   std::vector<GoalTask> tasks;
   for (int i = 0; i < options.runs; ++i) {
@@ -120,7 +125,8 @@ int run(const EvalOptions& options) {
     totals.add(result);
   });
   const std::vector<Bar> bars = {
-      {"reached_percent", 100.0 * totals.reached / std::max(1, totals.possible), 99.5, true},
+      {"reached_percent", 100.0 * totals.reached / std::max(1, totals.possible),
+       totals.possible > 0 ? 99.5 : 0.0, true},
       {"unreachable_told_percent", 100.0 * totals.told / std::max(1, totals.impossible),
        totals.impossible > 0 ? 100.0 : 0.0, true},
       {"unreachable_told_after_s", totals.told_after, 1.0, false},

@@ -30,6 +30,9 @@ class EvalCommandLine(unittest.TestCase):
         self.assertIn("usage: ", call("eval_drive", "--help").stdout)
         self.assertIn("--wrong", self.refused("eval_drive", "--wrong"))
         self.assertIn("--runs is '0'", self.refused("eval_drive", "--runs", "0"))
+        self.assertIn("--only N", call("eval_goals", "--help").stdout)
+        self.assertIn("--only is 3, expected less than --runs, 3",
+                      self.refused("eval_goals", "--runs", "3", "--only", "3"))
 
     def test_pose(self):
         self.assertIn("usage: ", call("eval_pose", "--help").stdout)
