@@ -52,7 +52,7 @@ void MoveBaseServer::look(const TaskerOutput& output) {
 bool MoveBaseServer::makePlan(nav_msgs::GetPlan::Request& request,
                               nav_msgs::GetPlan::Response& response) {
   std::string fault;
-  const Plan plan = loop_.plan(request.goal, fault);
+  const Plan plan = loop_.plan(request.goal, {}, fault);
   response.plan = toPath(loop_.mapFrame(), plan.poses);
   if (!plan) ROS_WARN_STREAM("make_plan: " << fault);
   return true;

@@ -125,7 +125,8 @@ std::optional<Pose2> NavigationLoop::pose() const {
   return pose_.in(settings_.map_frame, fault);
 }
 
-Plan NavigationLoop::plan(const geometry_msgs::PoseStamped& goal, std::string& fault) {
+Plan NavigationLoop::plan(const geometry_msgs::PoseStamped& goal,
+                          const geometry_msgs::PoseStamped& start, std::string& fault) {
   Plan none;
   none.why = NoWay::kNotFinite;
   const auto there = goalOf(goal);
@@ -133,7 +134,14 @@ Plan NavigationLoop::plan(const geometry_msgs::PoseStamped& goal, std::string& f
     fault = there.reason();
     return none;
   }
-  const auto here = pose_.in(settings_.map_frame, fault);
+  std::optional<Pose2> here;
+  if (start.header.frame_id.empty()) {
+    here = pose_.in(settings_.map_frame, fault);
+  } else if (const auto from = goalOf(start)) {
+    here = Pose2{from->place.x(), from->place.y(), from->heading.value_or(0.0)};
+  } else {
+    fault = "start: " + from.reason();
+  }
   if (!here) return none;
   look(steadyNow());
   Plan plan = planner_.plan({*here, there->place, there->heading});

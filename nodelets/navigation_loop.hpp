@@ -46,7 +46,10 @@ class NavigationLoop {
   /// @return the task's id, or why there is none; that is also told in the task's state.
   Checked<std::uint32_t> goTo(const geometry_msgs::PoseStamped& pose);
   Checked<std::uint32_t> follow(const GoalRoute& route);
-  Plan plan(const geometry_msgs::PoseStamped& goal, std::string& fault);
+  /// @param start without a frame: where the robot is.
+  Plan plan(const geometry_msgs::PoseStamped& goal, const geometry_msgs::PoseStamped& start,
+            std::string& fault);
+  double cruise() const { return settings_.navigation.cruise; }  ///< [m/s]
   Tasker& tasker() { return tasker_; }
   const std::string& mapFrame() const { return settings_.map_frame; }
   std::optional<Pose2> pose() const;

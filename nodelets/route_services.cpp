@@ -20,7 +20,7 @@ RouteServices::RouteServices(ros::NodeHandle& handle, NavigationLoop& loop, std:
       [this](auto& request, auto& response) { return load(request.file, response); }, on_refused);
   plan_ = advertiseGuarded<PlanPath>(
       handle, "plan_path",
-      [this](auto& request, auto& response) { return plan(request.goal, response); }, on_refused);
+      [this](auto& request, auto& response) { return plan(request, response); }, on_refused);
 }
 
 bool RouteServices::drive(const GoalRoute& route, DriveRoute::Response& response) {
@@ -58,11 +58,12 @@ bool RouteServices::load(const std::string& name, LoadRoute::Response& response)
   return true;
 }
 
-bool RouteServices::plan(const geometry_msgs::PoseStamped& goal, PlanPath::Response& response) {
-  const Plan plan = loop_.plan(goal, response.message);
+bool RouteServices::plan(const PlanPath::Request& request, PlanPath::Response& response) {
+  const Plan plan = loop_.plan(request.goal, request.start, response.message);
   response.found = plan ? 1 : 0;
   response.path = toPath(loop_.mapFrame(), plan.poses);
   response.length = static_cast<float>(plan.length);
+  response.time = static_cast<float>(plan.length / loop_.cruise());
   response.has_nearest = plan.nearest ? 1 : 0;
   if (plan.nearest) {
     response.nearest.x = static_cast<float>(plan.nearest->x());

@@ -22,7 +22,7 @@ class RouteServices {
   bool drive(const GoalRoute& route, DriveRoute::Response& response);
   bool save(const SaveRoute::Request& request, SaveRoute::Response& response);
   bool load(const std::string& name, LoadRoute::Response& response);
-  bool plan(const geometry_msgs::PoseStamped& goal, PlanPath::Response& response);
+  bool plan(const PlanPath::Request& request, PlanPath::Response& response);
 
   NavigationLoop& loop_;
   std::string folder_;

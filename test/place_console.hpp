@@ -32,9 +32,12 @@ struct Asked : PlaceAsks {
   std::vector<RouteDraft> driven, saved;
   std::vector<std::string> loaded;
   std::vector<TaskCall> calls;
-  void preview(std::uint32_t i, const PlaceGoal& goal) override {
+  std::vector<std::optional<Pose2>> starts;  ///< of the previews
+  std::vector<std::string> maps;             ///< "save NAME", "load NAME", "clear"
+  void preview(std::uint32_t i, const PlaceGoal& goal, const std::optional<Pose2>& from) override {
     id = i;
     previews.push_back(goal);
+    starts.push_back(from);
   }
   void goTo(const PlaceGoal& goal) override { goals.push_back(goal); }
   void setPose(const Pose2& pose, const PoseSpread& spread) override {
@@ -44,6 +47,9 @@ struct Asked : PlaceAsks {
   void saveRoute(const RouteDraft& draft) override { saved.push_back(draft); }
   void loadRoute(const std::string& name) override { loaded.push_back(name); }
   void task(TaskCall call) override { calls.push_back(call); }
+  void saveMap(const std::string& name) override { maps.push_back("save " + name); }
+  void loadMap(const std::string& name) override { maps.push_back("load " + name); }
+  void clearMap() override { maps.emplace_back("clear"); }
 };
 
 inline RobotDescription platform() {
@@ -121,6 +127,7 @@ class PlaceConsole : public ::testing::Test {
     preview.why = way ? "" : "something stands there";
     preview.path.points = {{0, 0}, {1, 0.5}, {2, 1}};
     preview.path.length = 2.3;
+    preview.time = 7.0;
     if (!way) preview.nearest = Eigen::Vector2d(1.5, 0.5);
     state.place.preview.set(std::make_shared<const Preview>(preview));
     refresh();

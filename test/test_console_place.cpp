@@ -11,6 +11,7 @@
 #include "gui/model/errand_thread.hpp"
 #include "gui/model/goal_aim.hpp"
 #include "gui/model/map_view.hpp"
+#include "gui/model/route_preview.hpp"
 #include "gui/model/task_words.hpp"
 #include "gui/model/teleop.hpp"
 #include "gui/model/trail.hpp"
@@ -28,6 +29,7 @@ std::shared_ptr<const Preview> found(std::uint32_t id, double length) {
   preview->answered = preview->found = true;
   preview->path.points = {{0, 0}, {length, 0}};
   preview->path.length = length;
+  preview->time = 2.0 * length;
   return preview;
 }
 
@@ -64,7 +66,7 @@ TEST(GoalAim, asksAnewAfterEachChangeAndHeedsOnlyTheAnswerToTheNewest) {
   EXPECT_FALSE(aim.send(0.2)) << "its way was not shown yet";
   aim.answered(found(second, 3.0));
   EXPECT_EQ(aim.phase(0.2), AimPhase::kFound);
-  EXPECT_EQ(goalWords(aim, 0.5, 0.2).headline, "3.0 m, about 6 s");
+  EXPECT_EQ(goalWords(aim, 0.2).headline, "3.0 m, about 6 s");
   const auto sent = aim.send(0.3);
   ASSERT_TRUE(sent);
   EXPECT_EQ(sent->place, Eigen::Vector2d(1, 2));
@@ -81,7 +83,7 @@ TEST(GoalAim, withoutAWayTheReasonAndTheNearestPlace) {
   EXPECT_FALSE(aim.takeNearest());
   aim.answered(noWay(id, {3, 0}));
   EXPECT_EQ(aim.phase(0.1), AimPhase::kNoWay);
-  EXPECT_EQ(goalWords(aim, 0.5, 0.1).headline, "No way there: something stands there");
+  EXPECT_EQ(goalWords(aim, 0.1).headline, "No way there: something stands there");
   EXPECT_FALSE(aim.send(0.1));
   ASSERT_TRUE(aim.takeNearest());
   EXPECT_EQ(aim.goal()->place, Eigen::Vector2d(3, 0));
@@ -115,7 +117,92 @@ TEST(GoalAim, aPlannerThatIsSilentOrAbsentHindersNoSending) {
   none->why = "no service /plan_path";
   aim.answered(none);
   EXPECT_EQ(aim.phase(10.0), AimPhase::kUnanswered);
-  EXPECT_EQ(goalWords(aim, 0.5, 10.0).headline, "No preview: no service /plan_path");
+  EXPECT_EQ(goalWords(aim, 10.0).headline, "No preview: no service /plan_path");
+}
+
+/// Answers to whatever is due until nothing is. @return the asks.
+std::vector<LegAsk> answerAll(RoutePreview& ways, double& now) {
+  std::vector<LegAsk> asks;
+  for (int i = 0; i < 100; ++i, now += 0.2) {
+    const auto ask = ways.due(now);
+    if (!ask) {
+      if (i > 2) break;
+      continue;
+    }
+    asks.push_back(*ask);
+    EXPECT_FALSE(ways.due(now + 0.2)) << "one at a time";
+    EXPECT_TRUE(ways.answered(found(ask->id, 3.0)));
+  }
+  return asks;
+}
+
+TEST(RoutePreview, asksLegByLegOnceTheRouteRestsAndKeepsTheWaysThatStay) {
+  RoutePreview ways;
+  RouteDraft draft = square();
+  draft.points[1].goal.heading = 0.5;
+  draft.points[2].pause = 7.0;
+  double now = 10.0;
+  ways.follow(draft, now);
+  EXPECT_FALSE(ways.due(now)) << "it changes";
+  now += RoutePreview::kRest;
+  auto asks = answerAll(ways, now);
+  ASSERT_EQ(asks.size(), 4U);
+  EXPECT_FALSE(asks[0].from) << "from where the robot is";
+  ASSERT_TRUE(asks[1].from);
+  EXPECT_EQ(asks[1].from->heading, 0.0) << "towards the next point";
+  EXPECT_EQ(asks[2].from->heading, 0.5) << "as the point says";
+  EXPECT_TRUE(ways.sum().complete);
+  EXPECT_NEAR(ways.sum().length, 12.0, 1e-9);
+  EXPECT_NEAR(ways.sum().time, 4 * 6.0 + 7.0, 1e-9);
+
+  draft.loop = true;
+  draft = withPlace(draft, 3, {0.5, 2.5});
+  ways.follow(draft, now);
+  EXPECT_FALSE(ways.sum().complete);
+  EXPECT_TRUE(ways.legTo(1)) << "not touched";
+  EXPECT_FALSE(ways.legTo(3));
+  now += RoutePreview::kRest;
+  asks = answerAll(ways, now);
+  ASSERT_EQ(asks.size(), 2U) << "to the point that was moved, and from it back to the first";
+  EXPECT_EQ(asks[0].to.place, Eigen::Vector2d(0.5, 2.5));
+  EXPECT_EQ(asks[1].to.place, Eigen::Vector2d(0, 0));
+  now += RoutePreview::kAgain;
+  EXPECT_TRUE(ways.due(now)) << "the map may be another by now";
+}
+
+TEST(RoutePreview, tellsTheFirstLegWithoutAWayAndHeedsNobodyElsesAnswers) {
+  RoutePreview ways;
+  double now = 0.0;
+  ways.follow(square(), now);
+  now += RoutePreview::kRest;
+  for (int i = 0; i < 4; ++i, now += 0.2) {
+    const auto ask = ways.due(now);
+    ASSERT_TRUE(ask);
+    EXPECT_FALSE(ways.answered(found(7, 1.0))) << "a goal's";
+    EXPECT_TRUE(ways.answered(i < 2 ? found(ask->id, 1.0) : noWay(ask->id, {1, 1})));
+  }
+  EXPECT_FALSE(ways.sum().complete);
+  EXPECT_EQ(ways.sum().blocked, 2U);
+}
+
+TEST(RoutePreview, boundsTheLegsAndWaitsForNoSilentPlanner) {
+  RoutePreview ways;
+  RouteDraft draft;
+  for (int i = 0; i < 1000; ++i) draft.points.push_back({{{i * 0.1, 0.0}, std::nullopt}, 0.0});
+  double now = 0.0;
+  ways.follow(draft, now);
+  now += RoutePreview::kRest;
+  const auto first = ways.due(now);
+  ASSERT_TRUE(first);
+  EXPECT_FALSE(ways.due(now + RoutePreview::kPatience - 0.1));
+  const auto second = ways.due(now + RoutePreview::kPatience + 0.1);
+  ASSERT_TRUE(second) << "the next";
+  EXPECT_FALSE(ways.answered(found(first->id, 1.0))) << "too late";
+  EXPECT_TRUE(ways.answered(found(second->id, 1.0)));
+  EXPECT_FALSE(ways.legTo(RoutePreview::kMostLegs));
+  EXPECT_FALSE(ways.sum().complete);
+  ways.follow({}, now);
+  EXPECT_FALSE(ways.due(now + 100.0)) << "nothing to plan";
 }
 
 TEST(GoalAim, refusesWhatIsNotFinite) {

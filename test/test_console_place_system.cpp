@@ -61,10 +61,10 @@ class PlaceSystem : public ::testing::Test {
     EXPECT_TRUE(waitFor([&] { return state().place.answer.get().serial != before; }));
     return state().place.answer.get();
   }
-  static Preview preview(const PlaceGoal& goal) {
+  static Preview preview(const PlaceGoal& goal, const std::optional<Pose2>& from = {}) {
     static std::uint32_t id = 100;
     ++id;
-    ask([&](PlaceAsks& asks) { asks.preview(id, goal); });
+    ask([&](PlaceAsks& asks) { asks.preview(id, goal, from); });
     EXPECT_TRUE(waitFor([&] {
       const auto newest = state().place.preview.get();
       return newest && newest->id == id;
@@ -87,6 +87,14 @@ TEST_F(PlaceSystem, previewsAWayOrTellsWhyThereIsNone) {
   EXPECT_GT(way.path.length, 2.2);
   EXPECT_LT(way.path.length, 4.0);
   EXPECT_LT((way.path.points.back() - ahead(2.4)).norm(), 0.15);
+  EXPECT_GT(way.time, 0.0);
+  EXPECT_NEAR(way.path.length / way.time, 0.35, 0.01) << "the navigator's cruise";
+  const Pose2 here = state().place.pose.latest()->pose;
+  const Eigen::Vector2d from = ahead(2.4);
+  const Preview leg = preview({ahead(2.5), std::nullopt}, Pose2{from.x(), from.y(), here.heading});
+  ASSERT_TRUE(leg.found) << leg.why;
+  EXPECT_LT(leg.path.length, 0.5) << "from the place that was told";
+  EXPECT_LT((leg.path.points.front() - from).norm(), 0.15);
   const Preview none = preview({{500.0, 500.0}, std::nullopt});
   EXPECT_TRUE(none.answered);
   EXPECT_FALSE(none.found);
@@ -158,14 +166,39 @@ TEST_F(PlaceSystem, aRouteIsDrivenPointByPointAndSkipped) {
   EXPECT_FALSE(answerTo([&](PlaceAsks& asks) { asks.driveRoute(draft); }).done);
 }
 
+TEST_F(PlaceSystem, theMapIsSavedLoadedAndCleared) {
+  AskAnswer answer = answerTo([](PlaceAsks& asks) { asks.saveMap("console_place_test"); });
+  EXPECT_TRUE(answer.done) << answer.text;
+  EXPECT_NE(answer.text.find("console_place_test"), std::string::npos) << answer.text;
+  answer = answerTo([](PlaceAsks& asks) { asks.loadMap("console_place_test"); });
+  EXPECT_TRUE(answer.done) << answer.text;
+  answer = answerTo([](PlaceAsks& asks) { asks.loadMap("never_saved"); });
+  EXPECT_FALSE(answer.done);
+  EXPECT_NE(answer.text.find("never_saved"), std::string::npos) << answer.text;
+  answer = answerTo([](PlaceAsks& asks) { asks.saveMap("../escaped"); });
+  EXPECT_FALSE(answer.done);
+  answer = answerTo([](PlaceAsks& asks) { asks.clearMap(); });
+  EXPECT_TRUE(answer.done) << answer.text;
+  EXPECT_FALSE(answer.text.empty());
+}
+
+// Also where scans say otherwise: what they met before belongs to the pose that was wrong.
 TEST_F(PlaceSystem, aPoseSetByHandIsTaken) {
-  Pose2 wanted = state().place.pose.latest()->pose;
-  wanted.x += 1.5;  // stated as sure: scans that say otherwise do not take it back at once
-  EXPECT_TRUE(answerTo([&](PlaceAsks& asks) { asks.setPose(wanted, {0.05, 0.03}); }).done);
-  EXPECT_TRUE(waitFor([&] {
-    const Pose2 pose = state().place.pose.latest()->pose;
-    return std::hypot(pose.x - wanted.x, pose.y - wanted.y) < 0.5;
-  }));
+  for (const PoseSpread& spread : {PoseSpread{}, PoseSpread{0.05, 0.03}}) {
+    Pose2 wanted = state().place.pose.latest()->pose;
+    wanted.x += 1.5;
+    EXPECT_TRUE(answerTo([&](PlaceAsks& asks) { asks.setPose(wanted, spread); }).done);
+    const auto near = [&] {
+      const Pose2 pose = state().place.pose.latest()->pose;
+      return std::hypot(pose.x - wanted.x, pose.y - wanted.y) < 0.5;
+    };
+    EXPECT_TRUE(waitFor(near)) << spread.place;
+    // Some scans later it stands there still.
+    const double set_at = state().place.pose.latest()->at;
+    EXPECT_TRUE(waitFor([&] { return state().place.pose.latest()->at > set_at + 1.0; }));
+    EXPECT_TRUE(near()) << spread.place << " m of spread: " << state().place.pose.latest()->pose.x
+                        << " instead of " << wanted.x;
+  }
 }
 
 }  // namespace

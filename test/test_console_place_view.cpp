@@ -1,6 +1,11 @@
 // The map that stays in place, its goals, poses, layers and tasks as the operator uses them.
 
 #include <QAction>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QPushButton>
 #include <cmath>
 #include <set>
 
@@ -175,6 +180,68 @@ TEST_F(PlaceConsole, theTaskBarTellsAndItsKeysAsk) {
   state.place.answer.set({1, false, "there is no task", steadySeconds()});
   refresh();
   EXPECT_EQ(window->taskBar()->words().why, "refused: there is no task");
+}
+
+TEST_F(PlaceConsole, mapsAreSavedLoadedAndClearedAfterAQuestion) {
+  const auto both = Qt::ControlModifier | Qt::ShiftModifier;
+  const auto back = [&] {  // the question is gone, the window has the keys again
+    refresh();
+    window->activateWindow();
+    return QTest::qWaitForWindowActive(window.get());
+  };
+  press(Qt::Key_S, both);
+  auto* dialog = window->findChild<QDialog*>("map_name_dialog");
+  ASSERT_TRUE(dialog);
+  auto* name = dialog->findChild<QLineEdit*>("map_name");
+  auto* go = dialog->findChild<QDialogButtonBox*>()->buttons().first();
+  ASSERT_EQ(name->text(), "map");
+  name->setText("../up");
+  EXPECT_FALSE(go->isEnabled());
+  name->setText("ground_floor");
+  ASSERT_TRUE(go->isEnabled());
+  go->click();
+  ASSERT_EQ(asked.maps, std::vector<std::string>{"save ground_floor"});
+  ASSERT_TRUE(back());
+
+  press(Qt::Key_O, both);
+  dialog = window->findChild<QDialog*>("map_name_dialog");
+  ASSERT_TRUE(dialog);
+  EXPECT_EQ(dialog->findChild<QLineEdit*>("map_name")->text(), "ground_floor") << "the last one";
+  QTest::keyClick(dialog->findChild<QLineEdit*>("map_name"), Qt::Key_Return);
+  ASSERT_EQ(asked.maps.size(), 2U);
+  EXPECT_EQ(asked.maps[1], "load ground_floor");
+  ASSERT_TRUE(back());
+
+  for (const int chosen : {1, 0}) {
+    press(Qt::Key_Delete, both);
+    auto* box = window->findChild<QMessageBox*>("map_clear");
+    ASSERT_TRUE(box);
+    if (chosen == 1) {
+      QTest::keyClick(box, Qt::Key_Return);  // what is at hand forgets nothing
+      EXPECT_EQ(asked.maps.size(), 2U);
+    } else {
+      for (auto* button : box->buttons()) {
+        if (box->buttonRole(button) == QMessageBox::AcceptRole) button->click();
+      }
+    }
+    ASSERT_TRUE(back());
+  }
+  ASSERT_EQ(asked.maps.size(), 3U);
+  EXPECT_EQ(asked.maps[2], "clear");
+
+  // What came of it is told for a while.
+  LinkStatus link;
+  link.phase = LinkPhase::kConnected;
+  state.link.set(link);
+  state.place.answer.set({1, true, "saved /maps/ground_floor.phmap", 100.0});
+  const auto told = [&](double now) {
+    for (const auto& notice : notices(situationOf(state, "platform", now))) {
+      if (notice.text == "saved /maps/ground_floor.phmap") return true;
+    }
+    return false;
+  };
+  EXPECT_TRUE(told(101.0));
+  EXPECT_FALSE(told(120.0));
 }
 
 TEST_F(PlaceConsole, everyKeyIsUniqueWithToolsToo) {

@@ -61,6 +61,31 @@ TEST_F(PlaceConsole, aRouteIsEditedByKeysAloneAndSent) {
   EXPECT_NEAR(route.draft().points[1].goal.place.y(), first.y(), 1e-9);
 }
 
+TEST_F(PlaceConsole, theWaysOfARouteAreShownBeforeItIsSent) {
+  press(Qt::Key_R);
+  RouteTool& route = place->routeTool();
+  click(1, 1);
+  click(2, 0);
+  EXPECT_NE(route.words().headline.find("1.4 m straight"), std::string::npos);
+  const std::size_t goals = asked.previews.size();
+  for (int legs = 1; legs <= 2; ++legs) {
+    ASSERT_TRUE(QTest::qWaitFor([&] {
+      refresh();
+      return asked.previews.size() == goals + static_cast<std::size_t>(legs);
+    }));
+    answer(true);
+  }
+  EXPECT_FALSE(asked.starts[goals]) << "from the robot to the first point";
+  ASSERT_TRUE(asked.starts[goals + 1]);
+  EXPECT_NEAR(asked.starts[goals + 1]->x, 1.0, 0.05);
+  EXPECT_EQ(route.words().headline, "2 points, 4.6 m, about 14 s");
+  press(Qt::Key_R);
+  const std::size_t asks = asked.previews.size();
+  QTest::qWait(600);
+  refresh();
+  EXPECT_EQ(asked.previews.size(), asks) << "laid down, it asks nothing";
+}
+
 TEST_F(PlaceConsole, routesAreSavedUnderAGoodNameAndLoadedAsOneStep) {
   press(Qt::Key_R);
   click(1, 1);

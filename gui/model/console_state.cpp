@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kRefusalShown = 5.0;  // s
 constexpr double kReadingShown = 2.0;  // s
+constexpr double kAnswerShown = 8.0;   // s
 
 void addDriving(const ConsoleState& state, double now, Situation& situation) {
   for (const auto& [topic, refusal] : state.refusals.get()) {
@@ -94,6 +95,8 @@ Situation situationOf(const ConsoleState& state, const std::string& robot, doubl
     }
   }
   addDriving(state, now, situation);
+  const AskAnswer answer = state.place.answer.get();
+  if (now - answer.at < kAnswerShown) situation.answer = answer;
   return situation;
 }
 

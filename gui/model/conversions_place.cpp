@@ -163,6 +163,9 @@ Checked<Preview> previewFromResponse(const PlanPath::Response& response, std::ui
   if (!path) return Result::refused("the path: " + path.reason());
   preview.path = *path;
   if (preview.found && preview.path.points.empty()) return Result::refused("a path without poses");
+  // As long as a task may take: a time that is no time is left unknown.
+  const auto time = static_cast<double>(response.time);
+  preview.time = time >= 0.0 && time < 1e7 ? time : kUnknown;
   const auto& nearest = response.nearest;
   if (response.has_nearest) {
     if (!isPlace(double(nearest.x), double(nearest.y))) {

@@ -108,7 +108,11 @@ std::string timeWords(double seconds) {
   return std::to_string(hours) + " h " + std::to_string(minutes % 60) + " min";
 }
 
-AimWords goalWords(const GoalAim& aim, double speed, double now) {
+std::string wayWords(const Preview& preview) {
+  return lengthWords(preview.path.length) + ", about " + timeWords(preview.time);
+}
+
+AimWords goalWords(const GoalAim& aim, double now) {
   const Preview* preview = aim.preview();
   switch (aim.phase(now)) {
     case AimPhase::kNone:
@@ -117,10 +121,8 @@ AimWords goalWords(const GoalAim& aim, double speed, double now) {
     case AimPhase::kAsking:
       return {Severity::kNote, "Planning the way ...", "Backspace takes the goal back"};
     case AimPhase::kFound:
-      return {
-          Severity::kGood,
-          lengthWords(preview->path.length) + ", about " + timeWords(preview->path.length / speed),
-          "Enter or a click on it sends the robot; Backspace takes it back"};
+      return {Severity::kGood, wayWords(*preview),
+              "Enter or a click on it sends the robot; Backspace takes it back"};
     case AimPhase::kNoWay:
       return {Severity::kError, "No way there" + (preview->why.empty() ? "" : ": " + preview->why),
               preview->nearest ? "T takes the nearest place that can be reached, marked by a ring"

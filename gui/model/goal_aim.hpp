@@ -72,10 +72,11 @@ struct AimWords {
   std::string headline, advice;
 };
 
-/// @param speed that the robot drives at where nothing slows it [m/s].
-AimWords goalWords(const GoalAim& aim, double speed, double now);
+AimWords goalWords(const GoalAim& aim, double now);
 AimWords poseWords(const GoalAim& aim, const PoseSpread& spread);
 
+/// "12.4 m, about 35 s".
+std::string wayWords(const Preview& preview);
 /// "12.4 m", "85 cm"; "?" for NaN.
 std::string lengthWords(double metres);
 /// "35 s", "2 min 5 s", "1 h 2 min"; "?" for NaN.

@@ -18,6 +18,7 @@ struct Preview {
   bool found = false;
   std::string why;  ///< why there is no way
   PathReading path;
+  double time = 0.0;                       ///< for it, as the navigator foretells it [s]
   std::optional<Eigen::Vector2d> nearest;  ///< the nearest place that can be reached
 };
 
@@ -56,7 +57,9 @@ class PlaceAsks {
  public:
   virtual ~PlaceAsks() = default;
   /// Of several the newest counts. @param id of the caller's, comes back with the answer.
-  virtual void preview(std::uint32_t id, const PlaceGoal& goal) = 0;
+  /// @param from none: from where the robot is.
+  virtual void preview(std::uint32_t id, const PlaceGoal& goal,
+                       const std::optional<Pose2>& from) = 0;
   virtual void goTo(const PlaceGoal& goal) = 0;
   virtual void setPose(const Pose2& pose, const PoseSpread& spread) = 0;
   virtual void driveRoute(const RouteDraft& draft) = 0;
@@ -64,6 +67,10 @@ class PlaceAsks {
   /// @param name empty: only the list is wanted.
   virtual void loadRoute(const std::string& name) = 0;
   virtual void task(TaskCall call) = 0;
+  /// The map itself, in the robot's folder of maps.
+  virtual void saveMap(const std::string& name) = 0;
+  virtual void loadMap(const std::string& name) = 0;
+  virtual void clearMap() = 0;
 };
 
 }  // namespace pilothouse::gui

@@ -3,6 +3,7 @@
 #include <geometry_msgs/PoseStamped.h>
 #include <pilothouse/DriveRoute.h>
 #include <pilothouse/LoadRoute.h>
+#include <pilothouse/MapFile.h>
 #include <pilothouse/SaveRoute.h>
 #include <std_srvs/Trigger.h>
 
@@ -85,13 +86,14 @@ struct PlaceErrands::Desk {
     publisher.publish(message);
     answer(heard, heard ? done : "nobody listens to " + publisher.getTopic());
   }
-  /// Calls and tells how it went. @param done what to say where it succeeded.
+  /// Calls and tells how it went. @param done what to say where it succeeded; empty: what the
+  /// service says.
   template <class Service>
   bool callAndTell(const std::string& name, typename Service::Request& request,
                    typename Service::Response& response, const std::string& done) {
     const std::string fault = call<Service>(name, request, response);
     const bool well = fault.empty() && response.success;
-    answer(well, !fault.empty() ? fault : well ? done : response.message);
+    answer(well, !fault.empty() ? fault : well && !done.empty() ? done : response.message);
     return well;
   }
 
@@ -116,13 +118,18 @@ PlaceErrands::~PlaceErrands() {
   desk_->state.place.asking.set({});
 }
 
-void PlaceErrands::preview(std::uint32_t id, const PlaceGoal& goal) {
-  desk_->thread->addIdle("plan", [desk = desk_, id, goal] {
+void PlaceErrands::preview(std::uint32_t id, const PlaceGoal& goal,
+                           const std::optional<Pose2>& from) {
+  desk_->thread->addIdle("plan", [desk = desk_, id, goal, from] {
     PlanPath::Request request;
     PlanPath::Response response;
     request.goal.header.frame_id = desk->mapFrame();
     request.goal.header.stamp = desk->now();
     request.goal.pose = toPose(goal);
+    if (from) {
+      request.start.header = request.goal.header;
+      request.start.pose = toPose({from->position(), from->heading});
+    }
     Preview preview;
     preview.id = id;
     preview.why = desk->call<PlanPath>("plan_path", request, response);
@@ -210,6 +217,32 @@ void PlaceErrands::task(TaskCall call) {
     std_srvs::Trigger::Request request;
     std_srvs::Trigger::Response response;
     desk->callAndTell<std_srvs::Trigger>(serviceOf(call), request, response, doneOf(call));
+  });
+}
+
+void PlaceErrands::saveMap(const std::string& name) {
+  desk_->thread->add("save the map", [desk = desk_, name] {
+    MapFile::Request request;
+    MapFile::Response response;
+    request.name = name;
+    desk->callAndTell<MapFile>("map/save", request, response, "");
+  });
+}
+
+void PlaceErrands::loadMap(const std::string& name) {
+  desk_->thread->add("load a map", [desk = desk_, name] {
+    MapFile::Request request;
+    MapFile::Response response;
+    request.name = name;
+    desk->callAndTell<MapFile>("map/load", request, response, "");
+  });
+}
+
+void PlaceErrands::clearMap() {
+  desk_->thread->add("clear the map", [desk = desk_] {
+    std_srvs::Trigger::Request request;
+    std_srvs::Trigger::Response response;
+    desk->callAndTell<std_srvs::Trigger>("map/clear", request, response, "");
   });
 }
 

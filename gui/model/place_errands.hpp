@@ -20,13 +20,16 @@ class PlaceErrands : public PlaceAsks {
   /// An errand that hangs is left behind, and what it brings is thrown away.
   ~PlaceErrands() override;
 
-  void preview(std::uint32_t id, const PlaceGoal& goal) override;
+  void preview(std::uint32_t id, const PlaceGoal& goal, const std::optional<Pose2>& from) override;
   void goTo(const PlaceGoal& goal) override;
   void setPose(const Pose2& pose, const PoseSpread& spread) override;
   void driveRoute(const RouteDraft& draft) override;
   void saveRoute(const RouteDraft& draft) override;
   void loadRoute(const std::string& name) override;
   void task(TaskCall call) override;
+  void saveMap(const std::string& name) override;
+  void loadMap(const std::string& name) override;
+  void clearMap() override;
 
  private:
   struct Desk;

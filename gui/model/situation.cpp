@@ -73,6 +73,10 @@ std::vector<Notice> notices(const Situation& situation) {
       out.push_back({complaint.error ? Severity::kError : Severity::kWarning,
                      complaint.name + ": " + complaint.message});
     }
+    if (!situation.answer.text.empty()) {
+      out.push_back(
+          {situation.answer.done ? Severity::kNote : Severity::kWarning, situation.answer.text});
+    }
     if (!situation.route.empty()) out.push_back({Severity::kNote, situation.route});
     if (!situation.link.robot.empty() && situation.link.robot != situation.robot) {
       out.push_back({Severity::kWarning, "the running robot is " + situation.link.robot +

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "gui/model/feed_meter.hpp"
+#include "gui/model/place_asks.hpp"
 
 namespace pilothouse::gui {
 
@@ -43,6 +44,7 @@ struct Situation {
   std::string info_topic;
   std::string missing_transform;  ///< "base_link to camera_depth_optical_frame"; empty: none
   std::vector<Complaint> complaints;
+  AskAnswer answer;   ///< to what the operator asked a moment ago; without text: nothing
   std::string route;  ///< what the task does, in words; empty: nothing
   std::string robot;  ///< whose YAML the console has read
 };

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "gui/model/clock.hpp"
+#include "gui/view/overlay.hpp"
 #include "gui/view/place_layers.hpp"
 #include "gui/view/theme.hpp"
 
@@ -14,12 +15,11 @@ constexpr double kTurn = 15.0 / 57.29577951308232;  // rad a key
 constexpr double kSpreadStep = 1.5;
 }  // namespace
 
-AimTool::AimTool(For what, const PlaceState& state, AskPlace ask, Footprint outline, double speed)
+AimTool::AimTool(For what, const PlaceState& state, AskPlace ask, Footprint outline)
     : for_(what),
       state_(state),
       ask_(std::move(ask)),
       outline_(std::move(outline)),
-      speed_(speed),
       aim_(what == For::kGoal) {}
 
 // A press on the ghost sends it when let go there; a press elsewhere puts it there.
@@ -109,17 +109,21 @@ void AimTool::paint(QPainter& painter, const MapView& view) {
     }
   }
   paintGhost(painter, view, outline_, goal->place, goal->heading, colour);
+  if (for_ != For::kGoal || phase != AimPhase::kFound) return;
+  const QPointF beside = view.toPixel(goal->place.x(), goal->place.y()) + QPointF(18, 18);
+  paintPill(painter, beside, Qt::AlignLeft | Qt::AlignTop,
+            QString::fromStdString(wayWords(*aim_.preview())), colour);
 }
 
 AimWords AimTool::words() {
-  return for_ == For::kGoal ? goalWords(aim_, speed_, now_) : poseWords(aim_, spread_);
+  return for_ == For::kGoal ? goalWords(aim_, now_) : poseWords(aim_, spread_);
 }
 
 bool AimTool::refresh(double now) {
   now_ = now;
   std::uint32_t id = 0;
   const auto goal = aim_.due(now, id);
-  if (goal && ask_) ask_([&](PlaceAsks& asks) { asks.preview(id, *goal); });
+  if (goal && ask_) ask_([&](PlaceAsks& asks) { asks.preview(id, *goal, {}); });
   auto newest = state_.preview.get();
   const bool news = newest != heard_;
   if (news) aim_.answered(heard_ = std::move(newest));

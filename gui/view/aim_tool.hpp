@@ -15,8 +15,7 @@ using AskPlace = std::function<void(const std::function<void(PlaceAsks&)>&)>;
 class AimTool : public MapTool {
  public:
   enum class For { kGoal, kPose };
-  /// @param speed that the robot drives at where nothing slows it [m/s].
-  AimTool(For what, const PlaceState& state, AskPlace ask, Footprint outline, double speed);
+  AimTool(For what, const PlaceState& state, AskPlace ask, Footprint outline);
 
   void press(Eigen::Vector2d at, double reach) override;
   void drag(Eigen::Vector2d at, double reach) override;
@@ -40,7 +39,7 @@ class AimTool : public MapTool {
   const PlaceState& state_;
   AskPlace ask_;
   Footprint outline_;
-  double speed_, now_ = 0.0;
+  double now_ = 0.0;
   GoalAim aim_;
   PoseSpread spread_;
   Eigen::Vector2d cross_ = Eigen::Vector2d::Zero();

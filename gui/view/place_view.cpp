@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "gui/model/helm.hpp"
+#include "gui/view/map_files.hpp"
 #include "gui/view/route_card.hpp"
 #include "gui/view/route_tool.hpp"
 #include "gui/view/theme.hpp"
@@ -17,14 +18,8 @@ namespace pilothouse::gui {
 
 namespace {
 
-constexpr double kDraw = 1.0 / 24.0;    // s between drawings
-constexpr double kSilent = 1.0;         // s; what is older is not drawn as if it were seen now
-constexpr double kExecutorSpeed = 0.5;  // m/s; the motion executor's own cap as it is delivered
-
-double usualSpeed(const RobotDescription& robot) {
-  return std::min(kExecutorSpeed, robot.drive.max_speed);
-}
-
+constexpr double kDraw = 1.0 / 24.0;  // s between drawings
+constexpr double kSilent = 1.0;       // s; what is older is not drawn as if it were seen now
 }  // namespace
 
 PlaceView::PlaceView(const PanelContext& context, QWidget* parent)
@@ -32,12 +27,10 @@ PlaceView::PlaceView(const PanelContext& context, QWidget* parent)
       context_(context),
       canvas_(new PlaceCanvas(context.robot)),
       controls_(new QWidget),
-      goal_(AimTool::For::kGoal, context.state.place, context.ask_place, context.robot.outline(),
-            usualSpeed(context.robot)),
-      pose_(AimTool::For::kPose, context.state.place, context.ask_place, context.robot.outline(),
-            usualSpeed(context.robot)),
+      goal_(AimTool::For::kGoal, context.state.place, context.ask_place, context.robot.outline()),
+      pose_(AimTool::For::kPose, context.state.place, context.ask_place, context.robot.outline()),
       route_(std::make_unique<RouteTool>(context.state.place, context.ask_place,
-                                         context.robot.outline(), usualSpeed(context.robot))),
+                                         context.robot.outline())),
       card_(new RouteCard(*route_, context.state.place, canvas_)),
       layers_(new QMenu(this)) {
   canvas_->setObjectName("place_canvas");
@@ -49,6 +42,7 @@ PlaceView::PlaceView(const PanelContext& context, QWidget* parent)
   row->setSpacing(4);
   addTools();
   addLayers();
+  addFiles();
   addToolKeys();
   card_->hide();
   connect(route_.get(), &RouteTool::changed, canvas_, QOverload<>::of(&QWidget::update));
@@ -129,6 +123,31 @@ void PlaceView::addLayers() {
   }
   auto* button = addButton(open, tr("Layers"));
   button->setCheckable(false);
+}
+
+void PlaceView::addFiles() {
+  files_ = new MapFiles(context_.ask_place, this);
+  auto* menu = new QMenu(this);
+  const struct {
+    QString name, key;
+    void (MapFiles::*act)();
+  } all[] = {{tr("Save the map ..."), "Ctrl+Shift+S", &MapFiles::save},
+             {tr("Load a map ..."), "Ctrl+Shift+O", &MapFiles::load},
+             {tr("Clear the map ..."), "Ctrl+Shift+Del", &MapFiles::clear}};
+  for (const auto& one : all) {
+    menu->addAction(
+        addAction(one.name, {QKeySequence(one.key)}, [this, act = one.act] { (files_->*act)(); }));
+    menu->actions().back()->setEnabled(static_cast<bool>(context_.ask_place));
+  }
+  auto* button = new QToolButton;
+  button->setObjectName("map_files");
+  button->setText(tr("File"));
+  button->setToolTip(tr("Save, load or clear the map"));
+  button->setProperty("segment", "alone");
+  button->setFocusPolicy(Qt::NoFocus);
+  connect(button, &QToolButton::clicked, this,
+          [menu, button] { menu->popup(button->mapToGlobal(QPoint(0, button->height() + 2))); });
+  controls_->layout()->addWidget(button);
 }
 
 void PlaceView::addKey(const QString& text, const QList<QKeySequence>& keys, ToolKey key) {

@@ -14,6 +14,7 @@ class QToolButton;
 
 namespace pilothouse::gui {
 
+class MapFiles;
 class RouteCard;
 class RouteTool;
 
@@ -49,6 +50,7 @@ class PlaceView : public QWidget {
  private:
   void addTools();
   void addLayers();
+  void addFiles();
   void addToolKeys();
   QAction* addAction(const QString& text, const QList<QKeySequence>& keys,
                      const std::function<void()>& act);
@@ -69,6 +71,7 @@ class PlaceView : public QWidget {
   QVector<QAction*> actions_, tool_keys_;
   QAction *goal_action_, *route_action_, *pose_action_, *follow_action_;
   QMenu* layers_;
+  MapFiles* files_ = nullptr;
   double drawn_at_ = -1e9;
 };
 

@@ -8,11 +8,21 @@
 
 namespace pilothouse::gui {
 
+/// The planned ways; straight where there is none yet, and in red where there is none at all. What
+/// is being dragged is straight: its ways are those of before.
 void RouteTool::paintLegs(QPainter& painter, const MapView& view, const RouteDraft& draft) const {
-  std::vector<Eigen::Vector2d> line;
-  for (const auto& point : draft.points) line.push_back(point.goal.place);
-  if (draft.loop && line.size() > 1) line.push_back(line.front());
-  paintPath(painter, view, line, ghostColour(), true);
+  const std::size_t count = draft.points.size();
+  const std::size_t legs = count + (draft.loop && count > 1 ? 1 : 0);
+  for (std::size_t i = 0; i < legs; ++i) {
+    const Preview* way = dragged_to_ ? nullptr : ways_.legTo(i);
+    if (way && way->found) {
+      paintPath(painter, view, way->path.points, ghostColour(), true);
+    } else if (i > 0) {
+      const bool blocked = way && way->answered;
+      paintPath(painter, view, {draft.points[i - 1].goal.place, draft.points[i % count].goal.place},
+                blocked ? theme::kError : ghostColour(), true);
+    }
+  }
 }
 
 void RouteTool::paintPoint(QPainter& painter, const MapView& view, const DraftPoint& point,

@@ -12,8 +12,8 @@ constexpr double kSamePlace = 0.02;                 // m
 constexpr int kMoves = 10000, kTurns = 20000, kPauses = 30000;
 }  // namespace
 
-RouteTool::RouteTool(const PlaceState& state, AskPlace ask, Footprint outline, double speed)
-    : state_(state), ask_(std::move(ask)), outline_(std::move(outline)), speed_(speed) {
+RouteTool::RouteTool(const PlaceState& state, AskPlace ask, Footprint outline)
+    : state_(state), ask_(std::move(ask)), outline_(std::move(outline)) {
   const auto shelf = state_.shelf.get();
   if (shelf) shelf_ = shelf->serial;
   connect(&history_, &RouteHistory::changed, this, [this] {
@@ -187,7 +187,19 @@ std::optional<std::size_t> RouteTool::underWay() const {
   return same ? std::optional(index) : std::nullopt;
 }
 
-bool RouteTool::refresh(double) {
+/// Asks for the way of a leg where one is due. @return a way has come.
+bool RouteTool::refreshWays(double now) {
+  ways_.follow(draft(), now);
+  if (const auto leg = ask_ ? ways_.due(now) : std::nullopt) {
+    ask_([&](PlaceAsks& asks) { asks.preview(leg->id, leg->to, leg->from); });
+  }
+  auto newest = state_.preview.get();
+  if (newest == heard_) return false;
+  heard_ = std::move(newest);
+  return ways_.answered(heard_);
+}
+
+bool RouteTool::refresh(double now) {
   const auto shelf = state_.shelf.get();
   if (shelf && shelf->serial != shelf_) {
     shelf_ = shelf->serial;
@@ -198,8 +210,9 @@ bool RouteTool::refresh(double) {
     }
     emit changed();
   }
+  const bool news = in_hand_ && refreshWays(now);
   const auto index = underWay();
-  if (index == under_way_) return false;
+  if (index == under_way_) return news;
   under_way_ = index;
   emit changed();
   return true;
@@ -214,9 +227,19 @@ AimWords RouteTool::words() {
   const std::string fault = faultOf(draft());
   const std::size_t count = draft().points.size();
   words.severity = fault.empty() ? Severity::kGood : Severity::kWarning;
-  words.headline = std::to_string(count) + (count == 1 ? " point, " : " points, ") +
-                   lengthWords(draft().length()) + " straight, about " +
-                   timeWords(draft().length() / speed_) + (draft().loop ? ", over and over" : "");
+  words.headline = std::to_string(count) + (count == 1 ? " point, " : " points, ");
+  const RoutePreview::Sum ways = ways_.sum();
+  if (ways.complete) {
+    words.headline += lengthWords(ways.length) + ", about " + timeWords(ways.time);
+  } else {
+    words.headline += lengthWords(draft().length()) + " straight";
+  }
+  if (draft().loop) words.headline += ", over and over";
+  if (ways.blocked) {
+    words.severity = Severity::kWarning;
+    words.headline += ". No way to point " + std::to_string(*ways.blocked % count + 1) + ": " +
+                      ways_.legTo(*ways.blocked)->why;
+  }
   if (!fault.empty()) words.headline = fault;
   words.advice = selected_ ? "Arrows or a drag move it, , . turn it, Delete removes it; Enter sends"
                            : "[ and ] choose a point, a click on a leg inserts one; Enter sends";
@@ -225,10 +248,12 @@ AimWords RouteTool::words() {
 
 void RouteTool::begin(Eigen::Vector2d at) {
   if (!selected_) cross_ = at;
+  in_hand_ = true;
 }
 
 void RouteTool::end() {
   dragged_to_.reset();
+  in_hand_ = false;
 }
 
 }  // namespace pilothouse::gui

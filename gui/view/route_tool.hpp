@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/motion/footprint.hpp"
+#include "gui/model/route_preview.hpp"
 #include "gui/view/aim_tool.hpp"
 #include "gui/view/route_history.hpp"
 
@@ -15,7 +16,7 @@ class RouteTool : public QObject, public MapTool {
   Q_OBJECT
 
  public:
-  RouteTool(const PlaceState& state, AskPlace ask, Footprint outline, double speed);
+  RouteTool(const PlaceState& state, AskPlace ask, Footprint outline);
 
   void press(Eigen::Vector2d at, double reach) override;
   void drag(Eigen::Vector2d at, double reach) override;
@@ -40,6 +41,8 @@ class RouteTool : public QObject, public MapTool {
   void send();
   /// Index of the point that the robot drives to, where it drives this very route.
   std::optional<std::size_t> underWay() const;
+  /// The ways along the route, as far as they have been planned.
+  const RoutePreview& ways() const { return ways_; }
 
  signals:
   /// Route, selection or what is under way.
@@ -51,6 +54,7 @@ class RouteTool : public QObject, public MapTool {
   RouteDraft shown() const;
   void insertAtCross();
   void order(int by);
+  bool refreshWays(double now);
   void turn(double by);
   void paintLegs(QPainter& painter, const MapView& view, const RouteDraft& draft) const;
   void paintPoint(QPainter& painter, const MapView& view, const DraftPoint& point,
@@ -59,11 +63,13 @@ class RouteTool : public QObject, public MapTool {
   const PlaceState& state_;
   AskPlace ask_;
   Footprint outline_;
-  double speed_;
   RouteHistory history_;
+  RoutePreview ways_;
+  std::shared_ptr<const Preview> heard_;
   std::optional<std::size_t> selected_, under_way_;
   std::optional<Eigen::Vector2d> dragged_to_;  ///< the selected point while it is dragged
   Eigen::Vector2d pressed_ = Eigen::Vector2d::Zero(), cross_ = Eigen::Vector2d::Zero();
+  bool in_hand_ = false;  ///< on the map: only then ways are asked for
   bool turning_ = false;  ///< the drag gives a new point its heading
   std::uint32_t shelf_ = 0;
 };
