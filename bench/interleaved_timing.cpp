@@ -1,6 +1,7 @@
 #include "bench/interleaved_timing.hpp"
 
 #include <sched.h>
+#include <time.h>
 
 #include <algorithm>
 #include <chrono>
@@ -15,16 +16,25 @@ namespace {
 
 constexpr int kWarmUps = 3;  // one is not enough where the last cache takes only what others drop
 
-double timed(const std::function<void()>& work) {
-  const auto start = std::chrono::steady_clock::now();
+double timed(const std::function<void()>& work, Clock clock) {
+  const double start = clock();
   work();
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-      .count();
+  return 1e3 * (clock() - start);
 }
 
 }  // namespace
 
-void measure(std::vector<TimedCase>& cases, int rounds, int slow_rounds) {
+double steadySeconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+double threadSeconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+void measure(std::vector<TimedCase>& cases, int rounds, int slow_rounds, Clock clock) {
   const int slow_every = std::max(1, rounds / std::max(1, slow_rounds));
   for (int round = 0; round < rounds; ++round) {
     for (TimedCase& c : cases) {
@@ -36,7 +46,7 @@ void measure(std::vector<TimedCase>& cases, int rounds, int slow_rounds) {
       } else if (round == 0) {
         c.work();
       }
-      c.times_ms.push_back(timed(c.work));
+      c.times_ms.push_back(timed(c.work, clock));
     }
   }
 }

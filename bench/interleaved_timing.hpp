@@ -17,8 +17,14 @@ struct TimedCase {
   std::vector<double> times_ms{};
 };
 
+/// A clock [s].
+using Clock = double (*)();
+double steadySeconds();
+double threadSeconds();  ///< of a core, for the calling thread: whatever else the computer does
+
 /// Times of every case in rounds, one after the other, so that all see the same weather.
-void measure(std::vector<TimedCase>& cases, int rounds, int slow_rounds);
+void measure(std::vector<TimedCase>& cases, int rounds, int slow_rounds,
+             Clock clock = steadySeconds);
 
 /// Value at `share` (0..1) of the sorted times. @param times not empty.
 double quantile(std::vector<double> times, double share);

@@ -19,7 +19,7 @@ LimitTable::LimitTable(const BenchCommand& command, const BenchOptions& options,
 
 void LimitTable::measure(std::vector<TimedCase>& cases) {
   pinToOneProcessor();
-  bench::measure(cases, rounds_, std::max(5, rounds_ / 20));
+  bench::measure(cases, rounds_, std::max(5, rounds_ / 20), threadSeconds);
   std::printf("%-48s %10s %10s %8s\n", "case", "median ms", "p95 ms", "of limit");
 }
 

@@ -17,8 +17,8 @@ class LimitTable {
   /// Opens the options' file. @param decimals of the times [ms].
   LimitTable(const BenchCommand& command, const BenchOptions& options, int decimals);
 
-  /// Times the cases on one processor, the slow ones in a twentieth of the rounds, and prints the
-  /// table's head. A case's limit is in milliseconds.
+  /// Times the cases on one processor, as time of that alone, the slow ones in a twentieth of the
+  /// rounds, and prints the table's head. A case's limit is in milliseconds.
   void measure(std::vector<TimedCase>& cases);
   void tell(const std::string& name, double median_ms, double p95_ms,
             const std::optional<double>& limit_ms);

@@ -32,6 +32,27 @@ struct OurVolume : Round {
   void add() { map.add(frame.depth(), next()); }
 };
 
+/// A robot that drives on and on, and has long forgotten where it began.
+struct LongDrive {
+  StandardFrame frame;
+  VolumeMap map;
+  int step = 0;
+
+  LongDrive() : map(few()) {
+    while (map.report().forgotten_nodes == 0) add();
+  }
+  static VolumeParameters few() {
+    VolumeParameters parameters;
+    parameters.max_nodes = 400000;
+    return parameters;
+  }
+  void add() {
+    Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+    T.translation().x() = 0.15 * (step++ % 6000);
+    map.add(frame.depth(), T * frame.T_base_optical().cast<double>());
+  }
+};
+
 struct OctomapAsItStands : Round {
   octomap::OcTree tree{kVoxel};
   octomap::Pointcloud cloud() {
@@ -65,6 +86,12 @@ void addVolumeCases(std::vector<TimedCase>& cases) {
                      if (fresh->step % 50 == 0) fresh->map.clear();
                    },
                    false, std::nullopt});
+  const auto drive = std::make_shared<LongDrive>();
+  cases.push_back({"octree, a frame while it forgets what is far",
+                   [drive] { drive->add(); },
+                   {},
+                   false,
+                   kFrameMs});
   cases.push_back({"octree, brought up to date and written",
                    [ours] { ours->map.encode(); },
                    {},

@@ -161,12 +161,13 @@ class VolumeMapper : public nodelet::Nodelet {
   void report(diagnostic_updater::DiagnosticStatusWrapper& status) {
     const auto report = keeper_->report();
     if (report.refused_voxels > 0) {
-      status.summary(diagnostic_msgs::DiagnosticStatus::WARN, "the octree is full");
+      status.summary(diagnostic_msgs::DiagnosticStatus::WARN, "the octree is full of what is near");
     } else {
       status.summary(diagnostic_msgs::DiagnosticStatus::OK, "learning");
     }
     status.add("nodes", report.nodes);
     status.add("memory [MB]", static_cast<double>(report.bytes) / 1e6);
+    status.add("nodes forgotten as the farthest", report.forgotten_nodes);
     status.add("voxels that did not enter", report.refused_voxels);
   }
 

@@ -131,6 +131,79 @@ TEST(VolumeMap, IsWrittenEmptyToo) {
   EXPECT_EQ(again.report().nodes, 0U);
 }
 
+/// A camera 0.65 m above the floor that looks to its left, at what is so far away all over [mm].
+void lookAside(VolumeMap& map, double x, std::uint16_t depth) {
+  const std::vector<std::uint16_t> pixels(80 * 60, depth);
+  DepthBytes bytes{};
+  bytes.width = bytes.info_width = 80;
+  bytes.height = bytes.info_height = 60;
+  bytes.step = 160;
+  bytes.encoding = "16UC1";
+  bytes.data = reinterpret_cast<const std::uint8_t*>(pixels.data());
+  bytes.size = pixels.size() * 2;
+  bytes.intrinsics = {65.0, 65.0, 39.5, 29.5};
+  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+  T.linear() << 1, 0, 0, 0, 0, 1, 0, -1, 0;
+  T.translation() = Vector3d(x, 0.0, 0.65);
+  ASSERT_EQ(map.add(*DepthView::open(bytes), T), "");
+}
+
+/// Share of the wall 2 m aside that is known from one place along it to another.
+double wallKnown(const VolumeMap& map, double from, double to) {
+  int known = 0, all = 0;
+  for (double x = from; x < to; x += 0.05, ++all) known += map.isOccupied({x, 2.01, 0.66});
+  return static_cast<double>(known) / all;
+}
+
+TEST(VolumeMap, ForgetsWhatIsFarFirstAndKeepsWhatIsNear) {
+  VolumeParameters parameters;
+  parameters.max_nodes = 200000;
+  VolumeMap map(parameters);
+  for (int step = 0; step <= 1000; ++step) {
+    lookAside(map, 0.5 * step, 2000);
+    if (step % 100 != 0) continue;
+    const double x = 0.5 * step;
+    ASSERT_LE(map.report().nodes, 200000U) << "after " << x << " m";
+    if (step == 0) continue;
+    EXPECT_EQ(wallKnown(map, x - 4.0, x), 1.0) << "after " << x << " m";
+    EXPECT_TRUE(map.isFree({x - 2.0, 1.0, 0.66}));
+    EXPECT_EQ(wallKnown(map, 0.0, x - 40.0), 0.0) << "after " << x << " m";
+  }
+  EXPECT_GT(map.report().forgotten_nodes, 2000000U);
+  EXPECT_EQ(map.report().refused_voxels, 0U);
+  EXPECT_LE(map.report().bytes, 200000U * 48U);
+  // What is left is whole, and what was forgotten is learnt again.
+  VolumeMap again(parameters);
+  ASSERT_EQ(again.decode(map.encode()), "");
+  EXPECT_EQ(wallKnown(again, 496.0, 500.0), 1.0);
+  for (int i = 0; i < 3; ++i) lookAside(map, 0.0, 2000);
+  EXPECT_EQ(wallKnown(map, -1.0, 1.0), 1.0);
+}
+
+TEST(VolumeMap, ComesBackToWhatItForgotWhileItsWindowStillHeldIt) {
+  VolumeParameters parameters;
+  parameters.reach = 3.0;  // the window is 12.8 m wide, and the octree holds less of it
+  parameters.max_nodes = 160000;
+  VolumeMap map(parameters);
+  for (int round = 0; round < 4; ++round) {
+    for (double x = 0.0; x < 12.0; x += 0.5) lookAside(map, x, 2000);
+    EXPECT_EQ(wallKnown(map, 10.0, 11.5), 1.0) << "round " << round;
+    for (double x = 12.0; x > 0.0; x -= 0.5) lookAside(map, x, 2000);
+    EXPECT_EQ(wallKnown(map, 0.5, 2.0), 1.0) << "round " << round;
+  }
+  EXPECT_GT(map.report().forgotten_nodes, 10000U);
+}
+
+TEST(VolumeMap, ClearsUpToTheReachBeforeWhatIsFartherAndNothingWithoutAnEcho) {
+  VolumeMap map({});
+  for (int i = 0; i < 2; ++i) lookAside(map, 0.0, 0);
+  EXPECT_EQ(map.report().nodes, 0U) << "no measurement is not free";
+  for (int i = 0; i < 2; ++i) lookAside(map, 0.0, 6000);
+  EXPECT_TRUE(map.isFree({0.01, 3.9, 0.66}));
+  EXPECT_FALSE(map.isFree({0.01, 4.2, 0.66}));
+  map.forEachOccupied([](const Eigen::Vector3f& at, float) { ADD_FAILURE() << at.transpose(); });
+}
+
 TEST(VolumeMap, StopsGrowingWithAWord) {
   VolumeParameters parameters;
   parameters.max_nodes = 5000;

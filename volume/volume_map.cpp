@@ -2,12 +2,15 @@
 
 #include <octomap/OcTree.h>
 
+#include <algorithm>
 #include <cmath>
 #include <locale>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
 #include "core/mapping/octree_bytes.hpp"
+#include "volume/forget_tile.hpp"
 #include "volume/volume_window.hpp"
 
 namespace pilothouse {
@@ -15,6 +18,8 @@ namespace {
 
 constexpr double kFarthest = 1000.0;     // [m]
 constexpr std::int32_t kMiddle = 32768;  // key of voxel 0
+constexpr std::int32_t kSpare =
+    2 * VolumeWindow::kBlock;  // beyond the reach, not forgotten [voxels]
 
 octomap::OcTreeKey keyOf(VoxelPlace place) {
   return {static_cast<octomap::key_type>(place.x + kMiddle),
@@ -52,9 +57,44 @@ struct VolumeMap::Tree {
     }
   }
 
+  /// The leaf or tile that lies farthest from the camera, level, and beyond the reach, if any.
+  struct Tile {
+    octomap::OcTreeKey low;
+    unsigned depth;
+    std::int32_t edge;  ///< [voxels]
+  };
+  std::optional<Tile> farthest(const VoxelPlace& camera, std::int32_t reach) const {
+    std::optional<Tile> found;
+    std::int64_t most = 0;
+    for (auto leaf = octree.begin_leafs(kTileDepth), none = octree.end_leafs(); leaf != none;
+         ++leaf) {
+      const std::int32_t edge = 1 << (octree.getTreeDepth() - leaf.getDepth());
+      const octomap::OcTreeKey low = leaf.getIndexKey();
+      const auto off = [edge](std::int32_t first, std::int32_t at) {
+        return std::int64_t{std::max({first - at, at - (first + edge - 1), 0})};
+      };
+      const std::int64_t x = off(low[0] - kMiddle, camera.x), y = off(low[1] - kMiddle, camera.y);
+      if (x * x + y * y <= most || std::max(x, y) <= reach) continue;
+      most = x * x + y * y;
+      found = Tile{low, leaf.getDepth(), edge};
+    }
+    return found;
+  }
+
+  /// Until so many nodes more would fit; a little at a time, as much as comes in.
+  void makeRoom(std::size_t nodes, std::size_t most_nodes, const VoxelPlace& camera,
+                std::int32_t reach) {
+    while (octree.size() + nodes > most_nodes) {
+      const auto tile = farthest(camera, reach);
+      if (!tile) return;
+      forgotten_nodes += forgetTile(octree, tile->low, tile->depth);
+      window.forget({tile->low[0] - kMiddle, tile->low[1] - kMiddle, 0}, tile->edge);
+    }
+  }
+
   octomap::OcTree octree;
   VolumeWindow window;
-  std::uint64_t refused_voxels = 0, changes = 0;
+  std::uint64_t refused_voxels = 0, forgotten_nodes = 0, changes = 0;
 };
 
 VolumeMap::VolumeMap(const VolumeParameters& parameters) : parameters_(parameters) {
@@ -77,11 +117,14 @@ std::string VolumeMap::add(const DepthView& depth, const Eigen::Isometry3d& T_ma
   for (const VoxelPlace block : tree_->window.moveTo(camera)) tree_->putBlock(block);
   const auto& changes = tree_->window.add(depth, T_map_optical);
   octomap::OcTree& octree = tree_->octree;
+  const auto most = static_cast<std::size_t>(parameters_.max_nodes);
+  tree_->makeRoom(changes.size() + changes.size() / 4, most, tree_->window.centre(),
+                  static_cast<std::int32_t>(parameters_.reach / parameters_.voxel) + kSpare);
   for (const auto& change : changes) {
     const octomap::OcTreeKey key = keyOf(change.place);
-    const bool full = octree.size() >= static_cast<std::size_t>(parameters_.max_nodes);
-    if (full && octree.search(key) == nullptr) {
+    if (octree.size() >= most && octree.search(key) == nullptr) {
       ++tree_->refused_voxels;
+      tree_->window.put(change.place, Voxel::kUnknown);  // to be told again when there is room
       continue;
     }
     octree.setNodeValue(key,
@@ -152,7 +195,8 @@ std::string VolumeMap::decode(std::string_view bytes) {
 }
 
 VolumeMap::Report VolumeMap::report() const {
-  return {tree_->octree.size(), tree_->octree.memoryUsage(), tree_->refused_voxels, tree_->changes};
+  return {tree_->octree.size(), tree_->octree.memoryUsage(), tree_->refused_voxels,
+          tree_->forgotten_nodes, tree_->changes};
 }
 
 }  // namespace pilothouse

@@ -41,8 +41,9 @@ class VolumeMap {
 
   struct Report {
     std::size_t nodes = 0, bytes = 0;
-    std::uint64_t refused_voxels = 0;  ///< that did not enter, for the octree is full
-    std::uint64_t changes = 0;         ///< voxels that the octree was told of
+    std::uint64_t refused_voxels = 0;   ///< that did not enter, for the octree is full of near ones
+    std::uint64_t forgotten_nodes = 0;  ///< that were far, and made room
+    std::uint64_t changes = 0;          ///< voxels that the octree was told of
   };
   Report report() const;
   const VolumeParameters& parameters() const { return parameters_; }

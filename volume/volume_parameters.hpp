@@ -11,7 +11,7 @@ struct VolumeParameters {
   double reach = 4.0;       ///< what is farther from the camera does not enter [m], 0.5..8
   double below = 0.6;       ///< the map reaches so far below its frame's z = 0 [m], 0..5
   double above = 2.0;       ///< and so far above [m], 0.1..5
-  int max_nodes = 4000000;  ///< of the octree; then nothing new enters, 1000..8000000
+  int max_nodes = 4000000;  ///< of the octree; then what is far is forgotten, 1000..8000000
   // ---- advanced; evidence in log-odds, ln(p / (1 - p)), kept in steps of 0.05
   double hit = 0.5;       ///< of one look at something, 0.05..3
   double miss = 0.6;      ///< of one look through, 0.05..3

@@ -88,6 +88,15 @@ const std::vector<VoxelPlace>& VolumeWindow::moveTo(const Eigen::Vector3d& camer
   return entered_;
 }
 
+void VolumeWindow::forget(VoxelPlace low, std::int32_t edge) {
+  for (std::uint64_t& owner : owners_) {
+    if (owner == kNobody) continue;
+    const auto x = static_cast<std::int32_t>(static_cast<std::uint32_t>(owner)) * kBlock;
+    const auto y = static_cast<std::int32_t>(static_cast<std::uint32_t>(owner >> 32U)) * kBlock;
+    if (x >= low.x && x < low.x + edge && y >= low.y && y < low.y + edge) owner = kNobody;
+  }
+}
+
 void VolumeWindow::put(VoxelPlace place, Voxel judged) {
   if (place.z < bottom_ || place.z >= top_) return;
   const std::size_t at = slot(place.x, place.y, place.z);

@@ -30,6 +30,9 @@ class VolumeWindow {
   static constexpr std::int32_t kBlock = 8;
   const std::vector<VoxelPlace>& moveTo(const Eigen::Vector3d& camera);
   void put(VoxelPlace place, Voxel judged);
+  /// Columns of a square come in anew with the next move. @param low its lower corner.
+  void forget(VoxelPlace low, std::int32_t edge);
+  VoxelPlace centre() const { return centre_; }  ///< the camera's voxel
 
   /// One frame from where moveTo() went: of all pixels that end in a voxel one is taken, along
   /// which everything before is free. Beyond the reach, and above and below the map, a ray ends
