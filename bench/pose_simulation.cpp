@@ -3,20 +3,24 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <stdexcept>
+#include <utility>
 
 #include "core/cloud/depth_view.hpp"
 #include "core/floor/floor_segmenter.hpp"
 #include "core/floor/level_scan.hpp"
 #include "core/floor/virtual_scan.hpp"
 #include "core/motion/motion_executor.hpp"
+#include "doors/package_files.hpp"
 #include "nodelets/sim_robot.hpp"
 #include "sim/random_world.hpp"
 #include "sim/simulation.hpp"
+#include "sim/world_file.hpp"
 
 namespace pilothouse::bench {
 namespace {
 
-constexpr double kMaxSeconds = 90.0;                                          // simulated
+constexpr double kMaxSeconds = 90.0, kTourSeconds = 180.0;                    // simulated
 constexpr double kLaserHeight = 0.3, kLaserReach = 12.0, kLaserNoise = 0.01;  // [m]
 constexpr int kBeams = 360;
 constexpr double kTurn = 6.283185307179586;
@@ -54,11 +58,11 @@ const char* nameOf(SimulatedScanner scanner) {
 
 class Drive {
  public:
-  Drive(const RobotDescription& robot, std::uint64_t seed, SimulatedScanner scanner)
+  Drive(const RobotDescription& robot, sim::World world,
+        const sim::SimulationParameters& parameters, SimulatedScanner scanner)
       : scanner_(scanner),
-        random_(sim::mixSeed(seed, 7)),
-        simulation_(sim::randomWorld(seed, worldOf()).world, simRobotOf(robot),
-                    slippery(seed, scanner)),
+        random_(sim::mixSeed(parameters.seed, 7)),
+        simulation_(std::move(world), simRobotOf(robot), parameters),
         segmenter_(robot.floor),
         T_base_optical_((bodyPose(robot.camera) * opticalRotation()).cast<float>()),
         executor_(ExecutorParameters{}, robot.drive) {
@@ -68,10 +72,11 @@ class Drive {
     recording_.scan_names = {nameOf(scanner)};
   }
 
-  PoseRecording run() {
+  /// @param loop the route is driven round and round until the time is over.
+  PoseRecording run(const std::string& route, bool loop, double seconds) {
     const auto& routes = simulation_.world().routes;
-    executor_.drive(routes.at("route"), std::nullopt, false, simulation_.base().pose());
-    for (int tick = 1; simulation_.time() < kMaxSeconds; ++tick) {
+    executor_.drive(routes.at(route), std::nullopt, loop, simulation_.base().pose());
+    for (int tick = 1; simulation_.time() < seconds; ++tick) {
       take(simulation_.step());
       if (tick % 10 == 0) look();
       if (tick % 2 != 0) continue;
@@ -155,7 +160,18 @@ class Drive {
 
 PoseRecording simulatePose(const RobotDescription& robot, std::uint64_t seed,
                            SimulatedScanner scanner) {
-  return Drive(robot, seed, scanner).run();
+  return Drive(robot, sim::randomWorld(seed, worldOf()).world, slippery(seed, scanner), scanner)
+      .run("route", false, kMaxSeconds);
+}
+
+PoseRecording simulateTour(const RobotDescription& robot, std::uint64_t seed,
+                           SimulatedScanner scanner) {
+  auto loaded = sim::loadWorld(packageFile("maps/furnished_room.sdf"));
+  if (!loaded) throw std::runtime_error(loaded.reason());
+  sim::SimulationParameters parameters = slippery(seed, scanner);
+  parameters.base = {};
+  return Drive(robot, std::move(loaded->world), parameters, scanner)
+      .run("tour", true, kTourSeconds);
 }
 
 }  // namespace pilothouse::bench

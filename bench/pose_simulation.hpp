@@ -19,4 +19,9 @@ enum class SimulatedScanner {
 PoseRecording simulatePose(const RobotDescription& robot, std::uint64_t seed,
                            SimulatedScanner scanner);
 
+/// The same round and round the furnished room that scripts/run shows, for three minutes, with the
+/// simulator's own slip.
+PoseRecording simulateTour(const RobotDescription& robot, std::uint64_t seed,
+                           SimulatedScanner scanner);
+
 }  // namespace pilothouse::bench

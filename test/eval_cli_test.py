@@ -50,9 +50,11 @@ class EvalCommandLine(unittest.TestCase):
         self.assertTrue(summary["judged"], done.stdout + done.stderr)
         # Half of the raw error by the fit of the whole track is missed there (docs/pose.md).
         self.assertEqual(done.returncode, 0 if summary["pass"] else 1)
-        self.assertLess(summary["corrected_fit_rms_m"], 0.9 * summary["raw_fit_rms_m"])
-        self.assertLess(summary["corrected_fit_rms_m"], 0.05)
-        self.assertLess(summary["begin_share"], 0.55)
+        # What was reached, and a little: no change may undo it.
+        self.assertLess(summary["corrected_fit_rms_m"], 0.87 * summary["raw_fit_rms_m"])
+        self.assertLess(summary["corrected_fit_rms_m"], 0.0182)
+        self.assertLess(summary["corrected_begin_rms_m"], 0.024)
+        self.assertLess(summary["begin_share"], 0.51)
         done = call("eval_pose", "--bag", bag("guardian_climb_palette_door"))
         self.assertIn("nothing to judge by", done.stderr)
         self.assertFalse(json.loads(done.stdout.splitlines()[-1])["judged"])

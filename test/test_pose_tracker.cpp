@@ -7,6 +7,7 @@
 
 #include "core/pose/pose_algebra.hpp"
 #include "core/pose/pose_tracker.hpp"
+#include "sim/random.hpp"
 
 namespace pilothouse {
 namespace {
@@ -171,6 +172,23 @@ TEST(PoseTracker, TurnsByTheGyroscopeWhereWheelsSlip) {
   EXPECT_NEAR(wrapped(by_wheels.newest().pose.heading - 3.0), 0.0, 0.01);
   EXPECT_NEAR(wrapped(with_gyro.newest().pose.heading - 2.5), 0.0, 0.1);
   EXPECT_LT(with_gyro.newest().covariance(2, 2), by_wheels.newest().covariance(2, 2));
+}
+
+TEST(PoseTracker, LearnsTheGyroscopesConstantErrorOnTheWay) {
+  // It never stands: only the wheels tell that it does not turn.
+  PoseTracker tracker({});
+  sim::Random random(5);
+  constexpr double kBias = 0.01, kSeconds = 120.0;
+  Pose2 odometry;
+  for (int i = 0; i <= static_cast<int>(100 * kSeconds); ++i) {
+    const double stamp = 0.01 * i;
+    tracker.addGyro(stamp, kBias + 0.003 * random.normal());
+    if (i % 2 != 0) continue;
+    tracker.addOdometry(stamp, odometry);
+    odometry = advanced(odometry, {0.5, 0.0, 0.02 * random.normal()}, 0.02);
+  }
+  // 69 degrees, if it were believed.
+  EXPECT_NEAR(tracker.newest().pose.heading, 0.0, 0.1);
 }
 
 TEST(PoseTracker, BearsTimeRunningBack) {

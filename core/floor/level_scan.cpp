@@ -8,11 +8,12 @@
 namespace pilothouse {
 namespace {
 
-constexpr int kBeams = 720;                      // over the half turn ahead
-constexpr float kHalfTurn = 3.14159265F;         // [rad]
-constexpr std::size_t kRows = 120;               // of more, every second, third, .. is looked at
-constexpr std::ptrdiff_t kNearest = 5;           // one in so many of a beam's points is nearer than
-                                                 // the surface that is told
+constexpr int kBeams = 720;               // over the half turn ahead
+constexpr float kHalfTurn = 3.14159265F;  // [rad]
+constexpr std::size_t kRows = 120;        // of more, every second, third, .. is looked at
+constexpr std::ptrdiff_t kNearest = 5;    // one in so many of a beam's points is nearer than
+                                          // the surface that is told
+constexpr int kSteps = 3;
 constexpr float kDeep = 0.03F, kDeeper = 0.02F;  // of a surface: [m], and of its distance
 
 std::uint32_t strideOf(std::uint32_t rows) {
@@ -67,14 +68,20 @@ float LevelScan::surfaceOf(std::vector<float>::iterator first,
   if (count < parameters_.fewest) return std::numeric_limits<float>::quiet_NaN();
   const auto near = first + count / kNearest;
   std::nth_element(first, near, last);
-  const float middle = *near, depth = kDeep + kDeeper * middle;
-  float sum = 0.0F, counted = 0.0F;
-  for (auto range = first; range != last; ++range) {
-    if (std::abs(*range - middle) > depth) continue;
-    sum += *range;
-    counted += 1.0F;
+  float surface = *near;
+  const float depth = kDeep + kDeeper * surface;
+  // From the near side of the surface to its middle.
+  for (int step = 0; step < kSteps; ++step) {
+    float sum = 0.0F, counted = 0.0F;
+    for (auto range = first; range != last; ++range) {
+      if (std::abs(*range - surface) > depth) continue;
+      sum += *range;
+      counted += 1.0F;
+    }
+    if (counted == 0.0F) break;
+    surface = sum / counted;
   }
-  return sum / counted;
+  return surface;
 }
 
 const std::vector<float>& LevelScan::scan(const DepthView& depth,

@@ -9,7 +9,10 @@ namespace {
 constexpr double kKept = 5.0;     // [s]
 constexpr double kBeyond = 0.05;  // the newest rate still holds for so long [s]
 constexpr double kGap = 0.2;      // readings farther apart say nothing of the time between [s]
-constexpr double kMemory = 60.0;  // of the constant error, which warms and cools [s]
+constexpr double kNoise = 0.001;  // of an angle, over a second [rad]
+constexpr double kWander =
+    1e-4;  // of the constant error, which warms and cools, in a second [rad/s]
+constexpr double kStraight = 0.1;  // so slow a turn is none [rad/s]
 
 }  // namespace
 
@@ -52,12 +55,24 @@ std::optional<double> GyroAngle::turned(double from, double to) const {
   return *end - *begin - bias_ * (to - from);
 }
 
+/// A Kalman filter of one constant. @param error of the angle over the time, @param variance of it.
+void GyroAngle::learn(double error, double time, double variance) {
+  bias_variance_ += kWander * kWander * time;
+  const double gain = bias_variance_ / (bias_variance_ + variance / (time * time));
+  bias_ += gain * error / time;
+  bias_variance_ *= 1.0 - gain;
+}
+
 void GyroAngle::stood(double from, double to) {
   const auto turn = turned(from, to);
-  if (!turn || !(to > from)) return;
-  const double time = to - from;
-  learnt_ = std::min(kMemory, learnt_ + time);
-  bias_ += *turn / time * time / std::max(learnt_, 1.0);
+  if (turn && to > from) learn(*turn, to - from, kNoise * kNoise * (to - from));
+}
+
+void GyroAngle::rolled(double from, double to, double turned_by_wheels, double variance) {
+  const auto turn = turned(from, to);
+  // What slips in a turn would pass for a constant error.
+  if (!turn || !(to > from) || std::abs(turned_by_wheels) > kStraight * (to - from)) return;
+  learn(*turn - turned_by_wheels, to - from, variance);
 }
 
 }  // namespace pilothouse

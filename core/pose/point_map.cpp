@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace pilothouse {
@@ -10,20 +11,57 @@ namespace {
 constexpr int kFewest = 5;           // points for a line
 constexpr double kNarrow = 0.1;      // of a line: variance across / along
 constexpr double kEdgeRadius = 3.2;  // of a given map, in its cells
+constexpr std::size_t kDirections = 240;
+constexpr double kNear = 0.4;  // nearer a sensor may look over something [m]
+
+std::size_t directionOf(const Eigen::Vector2d& ray) {
+  constexpr double kTurn = 6.283185307179586;
+  const double share = std::atan2(ray.y(), ray.x()) / kTurn + 0.5;
+  return std::min(kDirections - 1, static_cast<std::size_t>(share * double{kDirections}));
+}
 
 }  // namespace
 
-void PointMap::add(const std::vector<Eigen::Vector2d>& points, const Pose2& pose) {
-  for (const Eigen::Vector2d& point : points) {
-    const Eigen::Vector2d place = pose * point;
-    const auto [found, is_new] =
-        squares_.try_emplace(keyOf(column(place.x()), column(place.y())), Square{place, 1});
-    Square& square = found->second;
-    if (is_new || square.sightings >= parameters_.most_sightings) continue;
-    ++square.sightings;
-    square.mean += (place - square.mean) / static_cast<double>(square.sightings);
-  }
+void PointMap::meet(const Eigen::Vector2d& place) {
+  const auto [found, is_new] = squares_.try_emplace(keyOf(column(place.x()), column(place.y())),
+                                                    Square{place, 1, 1, scans_, scans_ == 1});
+  Square& square = found->second;
+  if (is_new || square.sightings >= parameters_.most_sightings) return;
+  if (square.scan != scans_) ++square.sightings;
+  square.scan = scans_;
+  square.mean += (place - square.mean) / static_cast<double>(++square.points);
+}
+
+void PointMap::add(const std::vector<Eigen::Vector2d>& points, const Pose2& pose,
+                   const Eigen::Vector2d& from) {
+  ++scans_;
+  seeThrough(points, pose, from);
+  for (const Eigen::Vector2d& point : points) meet(pose * point);
   if (squares_.size() > parameters_.most) forgetFar(pose.position());
+}
+
+void PointMap::seeThrough(const std::vector<Eigen::Vector2d>& points, const Pose2& pose,
+                          const Eigen::Vector2d& from) {
+  // The nearest that was met in each direction and its neighbours; 0: nothing, which tells nothing.
+  std::array<double, kDirections> nearest{};
+  double farthest = 0.0;
+  for (const Eigen::Vector2d& point : points) {
+    const Eigen::Vector2d ray = point - from;
+    double& known = nearest[directionOf(ray)];
+    if (known == 0.0 || ray.norm() < known) known = ray.norm();
+    farthest = std::max(farthest, ray.norm());
+  }
+  for (auto entry = squares_.begin(); entry != squares_.end();) {
+    Square& square = entry->second;
+    const Eigen::Vector2d ray = pose.toBase(square.mean) - from;
+    const double reach = ray.norm() + parameters_.behind;
+    bool through = reach <= farthest && ray.norm() >= kNear;
+    const std::size_t direction = through ? directionOf(ray) : 0;
+    for (std::size_t i = kDirections - 1; through && i <= kDirections + 1; ++i) {
+      through = nearest[(direction + i) % kDirections] > reach;
+    }
+    entry = through && --square.sightings <= 0 ? squares_.erase(entry) : std::next(entry);
+  }
 }
 
 void PointMap::forgetFar(const Eigen::Vector2d& from) {
@@ -50,7 +88,7 @@ std::optional<Eigen::Vector2d> PointMap::normalAt(const Eigen::Vector2d& place,
   for (int y = -reach; y <= reach; ++y) {
     for (int x = -reach; x <= reach; ++x) {
       const auto found = squares_.find(keyOf(middle_x + x, middle_y + y));
-      if (found == squares_.end()) continue;
+      if (found == squares_.end() || !counts(found->second)) continue;
       const Eigen::Vector2d offset = found->second.mean - place;
       if (offset.norm() > radius) continue;
       sum += offset;
@@ -72,6 +110,7 @@ std::vector<MapPoint> PointMap::points() const {
   std::vector<MapPoint> points;
   points.reserve(squares_.size());
   for (const auto& entry : squares_) {
+    if (!counts(entry.second)) continue;
     const Eigen::Vector2d& place = entry.second.mean;
     for (const double radius : {1.0, 2.0, 4.0}) {
       const auto normal = normalAt(place, radius * parameters_.line_radius);

@@ -17,6 +17,7 @@ constexpr double kFastest = 20.0;  // no base drives faster [m/s], nor turns
 constexpr double kJump = 0.5;      // nor jumps so far, however long nothing came [m, rad] a second
 constexpr double kStandingStill = 1e-5;  // a step so small is none [m, rad]
 constexpr double kFarthest = 1e5;        // of a pose in a map [m]
+constexpr double kConstant = 5.0;        // over so long a gyroscope's constant error is one [s]
 constexpr double kSameShift = 0.1;       // matches that ask for shifts so alike agree [m, rad]
 const Eigen::Vector3d kFirstSpread(1e-3, 1e-3, 1e-3);
 
@@ -78,7 +79,10 @@ PoseTracker::Step PoseTracker::stepTo(double stamp, const Pose2& T_odom_base) {
   }
   const auto turned = gyro_.turned(last.stamp, stamp);
   if (!turned) return step;
-  const double gyro = parameters_.gyro_error * parameters_.gyro_error * (stamp - last.stamp);
+  gyro_.rolled(last.stamp, stamp, step.delta.heading, wheels);
+  const double gyro =
+      (parameters_.gyro_error * parameters_.gyro_error + kConstant * gyro_.biasVariance()) *
+      (stamp - last.stamp);
   step.delta.heading = wrapped(step.delta.heading +
                                wheels / (wheels + gyro) * wrapped(*turned - step.delta.heading));
   step.turn_variance = wheels * gyro / (wheels + gyro);

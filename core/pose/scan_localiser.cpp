@@ -21,7 +21,9 @@ void ScanLocaliser::restart() {
   last_.clear();
 }
 
-ScanMatch ScanLocaliser::match(const std::vector<Eigen::Vector2d>& points, const Pose2& predicted) {
+ScanMatch ScanLocaliser::match(const std::vector<Eigen::Vector2d>& points, const Pose2& predicted,
+                               const Eigen::Vector2d& from) {
+  last_from_ = from;
   last_ = thinned(points, parameters_.thin);
   if (last_.size() < parameters_.fewest || mapped() < parameters_.fewest) return {};
   return matcher_->match(last_, predicted);
@@ -39,7 +41,7 @@ bool ScanLocaliser::isKeyframe(MatchVerdict verdict, const Pose2& pose) const {
 
 void ScanLocaliser::learn(MatchVerdict verdict, const Pose2& pose) {
   if (given_ || last_.size() < parameters_.fewest || !isKeyframe(verdict, pose)) return;
-  scans_.add(last_, pose);
+  scans_.add(last_, pose, last_from_);
   keyframe_ = pose;
   matcher_->setTarget(scans_.points());
 }

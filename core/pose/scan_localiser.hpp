@@ -15,7 +15,7 @@ namespace pilothouse {
 struct LocaliserParameters {
   double thin = 0.05;               ///< a scan keeps one point a square of this side [m]
   double keyframe_distance = 0.25;  ///< a scan enters the map after so much way [m]
-  double keyframe_turn = 0.25;      ///< or turn [rad]
+  double keyframe_turn = 0.12;      ///< or turn [rad]
   std::size_t fewest = 20;          ///< points, of a scan or map that says anything
   PointMapParameters map;
 };
@@ -33,7 +33,9 @@ class ScanLocaliser {
   /// Forgets its own map; a given one stays.
   void restart();
   /// @param points in the base frame [m], not thinned. @param predicted T_map_base.
-  ScanMatch match(const std::vector<Eigen::Vector2d>& points, const Pose2& predicted);
+  /// @param from where the sensor sits, base frame [m].
+  ScanMatch match(const std::vector<Eigen::Vector2d>& points, const Pose2& predicted,
+                  const Eigen::Vector2d& from = Eigen::Vector2d::Zero());
   /// What became of the last match. @param pose T_map_base after it, or predicted where it was
   /// refused: new places enter the map, and so does the first scan.
   void learn(MatchVerdict verdict, const Pose2& pose);
@@ -54,6 +56,7 @@ class ScanLocaliser {
   bool given_ = false;
   std::size_t given_points_ = 0;
   std::vector<Eigen::Vector2d> last_;  ///< thinned
+  Eigen::Vector2d last_from_ = Eigen::Vector2d::Zero();
   std::optional<Pose2> keyframe_;
 };
 
