@@ -268,6 +268,27 @@ TEST(GoTo, GoesToLookAtWhatItIsTooNearToToSee) {
   EXPECT_TRUE(robot.was(NavigationPhase::kBacking));
 }
 
+TEST(GoTo, TakesAnotherWayThanTheOneItIsHeldOn) {
+  MapRoom room(120, 60);
+  room.fill(60, 1, 62, 10);
+  room.fill(60, 24, 62, 36);  // two doors, the nearer one at y = 0.85
+  room.fill(60, 50, 62, 59);
+  TaskHarness robot(room.map);
+  robot.pose.y = 0.85;
+  robot.goTo(5.0, 0.85);
+  bool near_door = false;
+  ASSERT_TRUE(robot.runUntil([&] {
+    // Nothing that the planner knows is in the way, but the robot is not let through.
+    const bool on = !robot.order.poses.empty() && robot.order.poses.back().x > robot.pose.x;
+    robot.held = on && robot.pose.x > 2.5 && robot.pose.x < 3.0 && robot.pose.y < 1.4;
+    near_door = near_door || robot.held;
+    return robot.output.task.phase >= TaskPhase::kDone;
+  }));
+  EXPECT_TRUE(near_door);
+  EXPECT_EQ(robot.output.task.phase, TaskPhase::kDone) << robot.output.task.text;
+  EXPECT_NEAR(robot.pose.x, 5.0, 0.05);
+}
+
 TEST(GoTo, GetsOnWhenWhatHeldItHasLeft) {
   TaskHarness robot(hall().map);
   robot.goTo(5.0, 1.5);

@@ -67,6 +67,7 @@ void GoalNavigator::forget() {
   stuck_off_ = HUGE_VAL;
   settling_ = false;
   looked_from_.clear();
+  avoided_.clear();
 }
 
 void GoalNavigator::enter(NavigationPhase phase) {

@@ -113,6 +113,7 @@ class GoalNavigator {
   void stuck(const NavigationInput& input);
   void lookRound(const NavigationInput& input);
   void lookTo(int look);
+  void avoidHere();
   bool backOff(const NavigationInput& input);
   bool lookAtBlock(const NavigationInput& input);
   std::optional<Eigen::Vector2d> blockOf(const NavigationInput& input);
@@ -165,6 +166,7 @@ class GoalNavigator {
   std::string stuck_by_;
   Pose2 look_from_;
   std::deque<Pose2> trail_;
+  std::vector<Planner::Mark> avoided_;        ///< where it was held though the way is free
   std::vector<Eigen::Vector2d> looked_from_;  ///< at what was in the way, in this case
   double speed_;                              ///< made so far, slowly averaged [m/s]
 };

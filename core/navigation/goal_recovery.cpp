@@ -13,6 +13,8 @@ using Eigen::Vector2d;
 constexpr double kElsewhere = 0.5;     // stuck so far from the last time is another case [m]
 constexpr double kLongestLook = 6.0;   // [s]
 constexpr double kLongestBack = 12.0;  // [s]
+constexpr double kAhead = 0.35;        // so far ahead is where it does not get on [m]
+constexpr double kAvoided = 0.05;      // radius of what is kept off there [m]
 constexpr double kLookShare = 0.8;     // of the trusted distance it looks from
 constexpr int kSides = 16;             // that it may look from ...
 constexpr int kMostPlans = 5;          // ... ways are sought to so many of them at most
@@ -60,6 +62,7 @@ void GoalNavigator::stuck(const NavigationInput& input) {
   }
   if (measure_ == Measure::kBack) {
     measure_ = Measure::kRest;
+    avoidHere();
     if (backOff(input)) return;
   }
   measure_ = Measure::kReplan;
@@ -147,6 +150,15 @@ bool GoalNavigator::drivesToLook(const NavigationInput& input, const Vector2d& f
   enter(NavigationPhase::kBacking);
   text_ = "goes to look at what is in the way: " + stuck_by_;
   return true;
+}
+
+/// It is held on a way that is free by all that the planner knows: round a corner, say, nearer than
+/// the speed limiter lets it turn. The next way leads elsewhere, where there is one.
+void GoalNavigator::avoidHere() {
+  if (path_.empty()) return;
+  const Vector2d place = route_.at(std::min(route_.length(), way_ + kAhead)).position;
+  if ((place - goal_.place).norm() < planner_.check().ample() + kAhead) return;
+  avoided_.push_back({place, kAvoided, MapCell::kOccupied});
 }
 
 /// To where it came from.

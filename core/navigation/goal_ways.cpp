@@ -91,6 +91,13 @@ std::vector<Pose2> GoalNavigator::judged(const Pose2& pose) const {
 /// Round all that is seen. Where that leaves no way, round what is seen near by and what the map
 /// has: farther off the camera errs more, people walk on, and from nearer it is seen better.
 GoalNavigator::Found GoalNavigator::seek(const NavigationInput& input) {
+  if (!avoided_.empty()) {
+    std::vector<Planner::Mark> marks = planner_.marks();
+    marks.insert(marks.end(), avoided_.begin(), avoided_.end());
+    Plan elsewhere = planner_.planAmong(marks, request(input));
+    if (elsewhere) return {std::move(elsewhere), false};
+    avoided_.clear();
+  }
   Found found{planner_.plan(request(input)), false};
   if (found.plan) return found;
   std::vector<Planner::Mark> near;
@@ -174,6 +181,7 @@ void GoalNavigator::lengthenInTime(const NavigationInput& input) {
 
 void GoalNavigator::seekShorter(const NavigationInput& input) {
   sought_ = now_;
+  if (!avoided_.empty()) return;  // it would be the one that it was held on
   Plan plan = planner_.plan(request(input));
   // A way through what was seen far off is left as soon as there is one round it.
   const double most =
