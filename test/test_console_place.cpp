@@ -170,6 +170,22 @@ TEST(RoutePreview, asksLegByLegOnceTheRouteRestsAndKeepsTheWaysThatStay) {
   EXPECT_TRUE(ways.due(now)) << "the map may be another by now";
 }
 
+TEST(RoutePreview, asksAgainForALegWhoseAnswerCameTooLate) {
+  RoutePreview ways;
+  RouteDraft draft = square();
+  double now = RoutePreview::kRest;
+  ways.follow(draft, 0.0);
+  const auto first = ways.due(now);
+  ASSERT_TRUE(first && !first->from);
+  draft = withPlace(draft, 3, {0.5, 2.5});
+  ways.follow(draft, now);
+  EXPECT_FALSE(ways.answered(found(first->id, 1.0))) << "that was the route before";
+  now += RoutePreview::kRest;
+  const auto again = ways.due(now);
+  ASSERT_TRUE(again);
+  EXPECT_FALSE(again->from);
+}
+
 TEST(RoutePreview, tellsTheFirstLegWithoutAWayAndHeedsNobodyElsesAnswers) {
   RoutePreview ways;
   double now = 0.0;

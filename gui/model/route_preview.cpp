@@ -43,6 +43,8 @@ void RoutePreview::follow(const RouteDraft& draft, double now) {
   if (draft == draft_) return;
   draft_ = draft;
   changed_at_ = now;
+  // Its answer counts no more: it is asked again.
+  if (under_way_) legs_[*under_way_].planned_at = kNever;
   under_way_.reset();
   const std::vector<Leg> before = std::move(legs_);
   legs_ = legsOf(draft);

@@ -48,11 +48,12 @@ class RoutePreview {
   Sum sum() const;
 
  private:
+  static constexpr double kNever = -1e9;
   struct Leg {
     std::optional<Pose2> from;
     PlaceGoal to;
     std::shared_ptr<const Preview> answer;
-    double planned_at = -1e9;  ///< asked then, steady [s]
+    double planned_at = kNever;  ///< asked then, steady [s]
   };
   static std::vector<Leg> legsOf(const RouteDraft& draft);
 

@@ -21,13 +21,10 @@ constexpr double kLegendRoom = 52.0;  // px at the bottom
 }  // namespace
 
 MapCanvas::MapCanvas(const RobotDescription& robot, QWidget* parent)
-    : QWidget(parent), robot_(robot), outline_(robot.outline()), half_angle_(kUsualHalfAngle) {
-  setFocusPolicy(Qt::ClickFocus);  // takes the keys back from a field
-  setMouseTracking(true);
-  setMinimumSize(200, 160);
-  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
-  setAttribute(Qt::WA_OpaquePaintEvent);
-}
+    : MovableCanvas(MapView::Axes::kForwardUp, parent),
+      robot_(robot),
+      outline_(robot.outline()),
+      half_angle_(kUsualHalfAngle) {}
 
 void MapCanvas::setFloor(std::shared_ptr<const FloorPicture> floor) {
   const bool moved = !floor_ || floor->geometry.size_x != floor_->geometry.size_x ||
@@ -80,24 +77,6 @@ QRectF MapCanvas::content() const {
 void MapCanvas::fit() {
   fitted_ = true;
   view_.fit(content(), {kMargin, kMargin}, {kMargin, kLegendRoom});
-  update();
-}
-
-void MapCanvas::zoomIn() {
-  fitted_ = false;
-  view_.zoomAbout(rect().center(), 1.25);
-  update();
-}
-
-void MapCanvas::zoomOut() {
-  fitted_ = false;
-  view_.zoomAbout(rect().center(), 0.8);
-  update();
-}
-
-void MapCanvas::pan(QPoint pixels) {
-  fitted_ = false;
-  view_.panBy(pixels);
   update();
 }
 
@@ -182,23 +161,6 @@ void MapCanvas::paintEvent(QPaintEvent*) {
   }
 }
 
-void MapCanvas::resizeEvent(QResizeEvent*) {
-  view_.resize(size());
-  if (fitted_) fit();
-}
-
-void MapCanvas::wheelEvent(QWheelEvent* event) {
-  fitted_ = false;
-#if QT_VERSION >= QT_VERSION_CHECK(5, 14, 0)
-  const QPointF place = event->position();
-#else
-  const QPointF place = event->posF();
-#endif
-  view_.zoomAbout(place, std::pow(1.0015, event->angleDelta().y()));
-  event->accept();
-  update();
-}
-
 void MapCanvas::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
   dragged_from_ = event->localPos();
@@ -210,8 +172,7 @@ void MapCanvas::mouseMoveEvent(QMouseEvent* event) {
   if (event->buttons() & Qt::LeftButton) {
     const QPointF moved = event->localPos() - dragged_from_;
     dragged_from_ = event->localPos();
-    if (!moved.isNull()) fitted_ = false;
-    view_.panBy(moved);
+    panBy(moved);
   }
   update();
 }
@@ -222,11 +183,6 @@ void MapCanvas::mouseReleaseEvent(QMouseEvent*) {
 
 void MapCanvas::mouseDoubleClickEvent(QMouseEvent*) {
   fit();
-}
-
-void MapCanvas::leaveEvent(QEvent*) {
-  cursor_.reset();
-  update();
 }
 
 }  // namespace pilothouse::gui

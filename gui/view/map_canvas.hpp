@@ -1,21 +1,20 @@
 #pragma once
 
 #include <QPainterPath>
-#include <QWidget>
 #include <memory>
 #include <optional>
 
 #include "doors/robot_description.hpp"
 #include "gui/model/console_state.hpp"
-#include "gui/model/map_view.hpp"
 #include "gui/view/map_drive.hpp"
+#include "gui/view/movable_canvas.hpp"
 #include "gui/view/overlay.hpp"
 
 namespace pilothouse::gui {
 
 /// The metric map in the robot's own frame: floor classes, objects, the robot to scale with its
 /// camera's view, rings and grid in metres. Wheel zooms about the cursor, dragging pans.
-class MapCanvas : public QWidget {
+class MapCanvas : public MovableCanvas {
   Q_OBJECT
 
  public:
@@ -30,26 +29,19 @@ class MapCanvas : public QWidget {
   void setCamera(std::optional<CameraPose> pose, std::optional<double> half_angle);
   void setState(const FeedState& state, const EmptyWords& words);
 
-  const MapView& view() const { return view_; }
   bool hasFloor() const { return floor_ != nullptr; }
   /// Coordinates, class, height and deviation under the cursor; empty when it is elsewhere.
   QString readoutText() const;
 
  public slots:
-  void fit();
-  void zoomIn();
-  void zoomOut();
-  void pan(QPoint pixels);
+  void fit() override;
 
  protected:
   void paintEvent(QPaintEvent* event) override;
-  void resizeEvent(QResizeEvent* event) override;
-  void wheelEvent(QWheelEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
-  void leaveEvent(QEvent* event) override;
 
  private:
   QRectF content() const;
@@ -57,7 +49,6 @@ class MapCanvas : public QWidget {
 
   RobotDescription robot_;
   Footprint outline_;
-  MapView view_;
   std::shared_ptr<const FloorPicture> floor_;
   std::shared_ptr<const ObjectsPicture> objects_;
   DriveOverlay drive_;
@@ -67,9 +58,6 @@ class MapCanvas : public QWidget {
   double half_angle_;
   FeedState state_;
   EmptyWords words_;
-  std::optional<QPointF> cursor_;
-  QPointF dragged_from_;
-  bool fitted_ = true;  ///< follow the content until the operator zooms or drags
 };
 
 }  // namespace pilothouse::gui

@@ -18,12 +18,7 @@ constexpr int kDragBegins = 4;        // px
 }  // namespace
 
 PlaceCanvas::PlaceCanvas(const RobotDescription& robot, QWidget* parent)
-    : QWidget(parent), robot_(robot), outline_(robot.outline()) {
-  setFocusPolicy(Qt::ClickFocus);  // takes the keys back from a field
-  setMouseTracking(true);
-  setMinimumSize(200, 160);
-  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
-  setAttribute(Qt::WA_OpaquePaintEvent);
+    : MovableCanvas(MapView::Axes::kEastRight, parent), robot_(robot), outline_(robot.outline()) {
   layers_.set();
 }
 
@@ -83,32 +78,13 @@ void PlaceCanvas::fit() {
   update();
 }
 
-void PlaceCanvas::zoomIn() {
-  fitted_ = false;
-  view_.zoomAbout(QRectF(rect()).center(), 1.25);
-  update();
-}
-
-void PlaceCanvas::zoomOut() {
-  fitted_ = false;
-  view_.zoomAbout(QRectF(rect()).center(), 0.8);
-  update();
-}
-
-void PlaceCanvas::pan(QPoint pixels) {
-  fitted_ = false;
-  setFollow(false);
-  view_.panBy(pixels);
-  update();
-}
-
 Eigen::Vector2d PlaceCanvas::metresAt(QPointF pixel) const {
   const QPointF m = view_.toMetres(pixel);
   return {m.x(), m.y()};
 }
 
 Eigen::Vector2d PlaceCanvas::middle() const {
-  return metresAt(QRectF(rect()).center());
+  return metresAt(middlePixel());
 }
 
 // A step is a round length of a few pixels, so that a key moves alike at every zoom.
@@ -130,24 +106,6 @@ QString PlaceCanvas::readoutText() const {
     text += "   " + QString::fromLatin1(mapCellName(cells.at(column, row)));
   }
   return text;
-}
-
-void PlaceCanvas::resizeEvent(QResizeEvent*) {
-  view_.resize(size());
-  if (fitted_) fit();
-}
-
-void PlaceCanvas::wheelEvent(QWheelEvent* event) {
-  fitted_ = false;
-#if QT_VERSION >= QT_VERSION_CHECK(5, 14, 0)
-  const QPointF place = event->position();
-#else
-  const QPointF place = event->posF();
-#endif
-  const double factor = std::pow(1.0015, event->angleDelta().y());
-  view_.zoomAbout(follow_ ? QRectF(rect()).center() : place, factor);
-  event->accept();
-  update();
 }
 
 void PlaceCanvas::mousePressEvent(QMouseEvent* event) {
@@ -172,9 +130,7 @@ void PlaceCanvas::mouseMoveEvent(QMouseEvent* event) {
     if (!panned_ && moved.manhattanLength() < kDragBegins) return;
     panned_ = true;
     dragged_from_ = event->localPos();
-    fitted_ = false;
-    setFollow(false);
-    view_.panBy(moved);
+    panBy(moved);
   }
   update();
 }
@@ -194,11 +150,6 @@ void PlaceCanvas::mouseReleaseEvent(QMouseEvent* event) {
 void PlaceCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
   if (tool_) return mousePressEvent(event);  // the second of two quick clicks is a click
   fit();
-}
-
-void PlaceCanvas::leaveEvent(QEvent*) {
-  cursor_.reset();
-  update();
 }
 
 }  // namespace pilothouse::gui

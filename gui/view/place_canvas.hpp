@@ -1,6 +1,5 @@
 #pragma once
 
-#include <QWidget>
 #include <bitset>
 #include <memory>
 #include <optional>
@@ -9,6 +8,7 @@
 #include "gui/model/place_state.hpp"
 #include "gui/view/legend.hpp"
 #include "gui/view/map_drive.hpp"
+#include "gui/view/movable_canvas.hpp"
 #include "gui/view/overlay.hpp"
 #include "gui/view/place_layers.hpp"
 
@@ -39,7 +39,7 @@ struct PlaceScene {
 
 /// The map that stays in place: x right, y up, the robot moves on it. Wheel zooms about the cursor,
 /// dragging pans; with a tool the left button is the tool's.
-class PlaceCanvas : public QWidget {
+class PlaceCanvas : public MovableCanvas {
   Q_OBJECT
 
  public:
@@ -54,7 +54,6 @@ class PlaceCanvas : public QWidget {
   /// The robot stays in the middle.
   void setFollow(bool on);
   bool follows() const { return follow_; }
-  const MapView& view() const { return view_; }
   const Trail& trail() const { return trail_; }
   /// Place and class under the cursor; empty when it is elsewhere.
   QString readoutText() const;
@@ -64,10 +63,7 @@ class PlaceCanvas : public QWidget {
   void nudge(int right, int up, bool fine);
 
  public slots:
-  void fit();
-  void zoomIn();
-  void zoomOut();
-  void pan(QPoint pixels);
+  void fit() override;
 
  signals:
   void takenBack();      ///< the right button
@@ -75,13 +71,13 @@ class PlaceCanvas : public QWidget {
 
  protected:
   void paintEvent(QPaintEvent* event) override;
-  void resizeEvent(QResizeEvent* event) override;
-  void wheelEvent(QWheelEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
-  void leaveEvent(QEvent* event) override;
+  /// The robot stays in the middle where it is followed.
+  QPointF zoomedAbout(QPointF cursor) const override { return follow_ ? middlePixel() : cursor; }
+  void dragged() override { setFollow(false); }
 
  private:
   Eigen::Vector2d metresAt(QPointF pixel) const;
@@ -94,15 +90,11 @@ class PlaceCanvas : public QWidget {
 
   RobotDescription robot_;
   Footprint outline_;
-  MapView view_{MapView::Axes::kEastRight};
   PlaceScene scene_;
   Trail trail_;
   std::bitset<kPlaceLayers> layers_;
   MapTool* tool_ = nullptr;
-  std::optional<QPointF> cursor_;
-  QPointF dragged_from_;
   bool panning_ = false, panned_ = false, aiming_ = false;
-  bool fitted_ = true;  ///< follow the map's size until the operator zooms or drags
   bool follow_ = false;
 };
 

@@ -109,7 +109,7 @@ void PlaceView::addLayers() {
              {PlaceLayer::kTrail, tr("Trail")},
              {PlaceLayer::kPath, tr("Way and goal")},
              {PlaceLayer::kRobot, tr("Robot")}};
-  auto* open = addAction(tr("Layers of the map"), {Qt::Key_L}, [this] {
+  auto* open = addAction(tr("Layers; save, load, clear"), {Qt::Key_L}, [this] {
     layers_->popup(canvas_->mapToGlobal(QPoint(theme::kSpace, theme::kSpace)));
   });
   int number = 0;
@@ -121,13 +121,13 @@ void PlaceView::addLayers() {
             [this, layer = one.layer](bool on) { canvas_->setLayer(layer, on); });
     layers_->addAction(action);
   }
-  auto* button = addButton(open, tr("Layers"));
+  auto* button = addButton(open, tr("More"));
   button->setCheckable(false);
 }
 
 void PlaceView::addFiles() {
   files_ = new MapFiles(context_.ask_place, this);
-  auto* menu = new QMenu(this);
+  layers_->addSeparator();
   const struct {
     QString name, key;
     void (MapFiles::*act)();
@@ -135,19 +135,11 @@ void PlaceView::addFiles() {
              {tr("Load a map ..."), "Ctrl+Shift+O", &MapFiles::load},
              {tr("Clear the map ..."), "Ctrl+Shift+Del", &MapFiles::clear}};
   for (const auto& one : all) {
-    menu->addAction(
-        addAction(one.name, {QKeySequence(one.key)}, [this, act = one.act] { (files_->*act)(); }));
-    menu->actions().back()->setEnabled(static_cast<bool>(context_.ask_place));
+    auto* action =
+        addAction(one.name, {QKeySequence(one.key)}, [this, act = one.act] { (files_->*act)(); });
+    action->setEnabled(static_cast<bool>(context_.ask_place));
+    layers_->addAction(action);
   }
-  auto* button = new QToolButton;
-  button->setObjectName("map_files");
-  button->setText(tr("File"));
-  button->setToolTip(tr("Save, load or clear the map"));
-  button->setProperty("segment", "alone");
-  button->setFocusPolicy(Qt::NoFocus);
-  connect(button, &QToolButton::clicked, this,
-          [menu, button] { menu->popup(button->mapToGlobal(QPoint(0, button->height() + 2))); });
-  controls_->layout()->addWidget(button);
 }
 
 void PlaceView::addKey(const QString& text, const QList<QKeySequence>& keys, ToolKey key) {

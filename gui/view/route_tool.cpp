@@ -237,8 +237,9 @@ AimWords RouteTool::words() {
   if (draft().loop) words.headline += ", over and over";
   if (ways.blocked) {
     words.severity = Severity::kWarning;
-    words.headline += ". No way to point " + std::to_string(*ways.blocked % count + 1) + ": " +
-                      ways_.legTo(*ways.blocked)->why;
+    const std::size_t to = *ways.blocked;
+    words.headline += ". No way" + (to > 0 ? " from point " + std::to_string(to) : std::string()) +
+                      " to point " + std::to_string(to % count + 1) + ": " + ways_.legTo(to)->why;
   }
   if (!fault.empty()) words.headline = fault;
   words.advice = selected_ ? "Arrows or a drag move it, , . turn it, Delete removes it; Enter sends"
