@@ -149,11 +149,14 @@ Loaded loadMapServer(const std::string& yaml_path, const OccupancyParameters& pa
   } catch (const ParameterFault& fault) {
     return Loaded::refused(fault.faults().front());
   }
-  if (image.empty() || image.find('/') != std::string::npos) {
+  // map_saver -f writes a folder too, as it was named then: the picture lies beside the YAML.
+  const std::string beside = fs::path(image).filename().string();
+  const std::string path = (fs::path(yaml_path).parent_path() / beside).string();
+  std::error_code error;
+  if (beside.empty() || (beside != image && !fs::is_regular_file(path, error))) {
     return Loaded::refused(yaml_path + ": image is " + pilothouse::quoted(image) +
                            ", expected the name of a PGM in the same folder");
   }
-  const std::string path = (fs::path(yaml_path).parent_path() / image).string();
   try {
     const std::string bytes = readWhole(path, kMostBytes);
     const auto picture = parsePgm(bytes);

@@ -19,16 +19,15 @@ std::string textOf(const char* fault) {
 MapKeeper::MapKeeper(const MapKeeperSettings& settings)
     : settings_(settings),
       map_(std::make_shared<OccupancyMap>(settings.occupancy)),
-      statics_(settings.statics) {
+      statics_(settings.statics),
+      kept_(settings.name) {
   if (settings_.name.empty()) return;
   const std::string base = settings_.folder + "/" + settings_.name;
-  by_itself_ = true;
   if (!std::filesystem::exists(base + ".phmap") && !std::filesystem::exists(base + ".yaml")) return;
   try {
     load(settings_.name);
   } catch (const std::runtime_error& fault) {
-    fault_ = fault.what();
-    by_itself_ = false;
+    kept_.isBad(fault.what());
   }
 }
 
@@ -63,43 +62,32 @@ void MapKeeper::timeJumped() {
   statics_.clear();
 }
 
-std::string MapKeeper::named(const std::string& name) const {
-  if (!name.empty()) return name;
-  if (settings_.name.empty()) throw std::runtime_error("name is empty, expected that of a map");
-  return settings_.name;
-}
-
 std::string MapKeeper::save(const std::string& name) {
-  const std::string chosen = named(name);
+  const std::string chosen = kept_.chosen(name);
   const Lock files_lock(files_);
-  MapFiles files;
+  std::optional<OccupancyMap> map;
   std::uint32_t version = 0;
   {
     const Lock lock(mutex_);
-    files = filesOf(*map_);
+    map = map_->copy();
     version = version_ + map_->version();
   }
-  saveMap(settings_.folder, chosen, files);
+  saveMap(settings_.folder, chosen, filesOf(*map));
   const Lock lock(mutex_);
-  if (chosen == settings_.name) {
-    saved_ = version;
-    by_itself_ = true;
-    fault_.clear();
-  }
+  kept_.saved(chosen, version);
   return "saved " + settings_.folder + "/" + chosen;
 }
 
 void MapKeeper::saveByItself() {
   {
     const Lock lock(mutex_);
-    if (!by_itself_ || saved_ == version_ + map_->version()) return;
-    if (!saved_ && map_->blockCount() == 0) return;
+    if (!kept_.isBehind(version_ + map_->version(), map_->blockCount() == 0)) return;
   }
   try {
     save(settings_.name);
   } catch (const std::runtime_error& fault) {
     const Lock lock(mutex_);
-    fault_ = fault.what();
+    kept_.failed(fault.what());
   }
 }
 
@@ -110,16 +98,12 @@ void MapKeeper::use(const std::shared_ptr<OccupancyMap>& map) {
 }
 
 std::string MapKeeper::load(const std::string& name) {
-  const std::string chosen = named(name);
+  const std::string chosen = kept_.chosen(name);
   const auto map = loadMap(settings_.folder, chosen, settings_.occupancy);
   if (!map) throw std::runtime_error(map.reason());
   const Lock lock(mutex_);
   use(*map);
-  if (chosen == settings_.name) {
-    saved_ = version_ + map_->version();
-    by_itself_ = true;
-  }
-  fault_.clear();
+  kept_.loaded(chosen, version_ + map_->version());
   return "loaded " + settings_.folder + "/" + chosen;
 }
 
@@ -145,7 +129,8 @@ bool MapKeeper::look(View& view) const {
 
 MapKeeper::Report MapKeeper::report() const {
   const Lock lock(mutex_);
-  return {map_->blockCount(), map_->refusedCells(), statics_.entered(), statics_.cleared(), fault_};
+  return {map_->blockCount(), map_->refusedCells(), statics_.entered(), statics_.cleared(),
+          kept_.fault()};
 }
 
 }  // namespace pilothouse

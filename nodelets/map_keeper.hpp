@@ -10,6 +10,7 @@
 #include "core/mapping/map_cells.hpp"
 #include "core/mapping/occupancy_map.hpp"
 #include "core/mapping/static_objects.hpp"
+#include "nodelets/kept_file.hpp"
 
 namespace pilothouse {
 
@@ -60,7 +61,6 @@ class MapKeeper {
   Report report() const;
 
  private:
-  std::string named(const std::string& name) const;
   void use(const std::shared_ptr<OccupancyMap>& map);
 
   MapKeeperSettings settings_;
@@ -70,9 +70,7 @@ class MapKeeper {
   StaticObjects statics_;
   Pose2 pose_;
   std::uint32_t version_ = 0;  ///< of the maps that came before this one
-  std::optional<std::uint32_t> saved_;
-  bool by_itself_ = false;
-  std::string fault_;
+  KeptFile kept_;
 };
 
 }  // namespace pilothouse

@@ -1,45 +1,20 @@
 #include "nodelets/map_services.hpp"
 
 #include <nav_msgs/GetMap.h>
-#include <pilothouse/MapFile.h>
-#include <std_srvs/Trigger.h>
 
-#include <stdexcept>
-
+#include "nodelets/file_service.hpp"
 #include "nodelets/map_messages.hpp"
 
 namespace pilothouse {
-namespace {
-
-template <class Response, class Work>
-bool answer(Response& response, Work work) {
-  try {
-    response.message = work();
-    response.success = true;
-  } catch (const std::runtime_error& fault) {
-    response.message = fault.what();
-  }
-  return true;
-}
-
-}  // namespace
-
 MapServices::MapServices(ros::NodeHandle& handle, MapKeeper& keeper, const std::string& map_frame) {
-  services_.push_back(handle.advertiseService<MapFile::Request, MapFile::Response>(
-      "map/save", [&keeper](MapFile::Request& request, MapFile::Response& response) {
-        return answer(response, [&] { return keeper.save(request.name); });
-      }));
-  services_.push_back(handle.advertiseService<MapFile::Request, MapFile::Response>(
-      "map/load", [&keeper](MapFile::Request& request, MapFile::Response& response) {
-        return answer(response, [&] { return keeper.load(request.name); });
-      }));
-  using Trigger = std_srvs::Trigger;
-  services_.push_back(handle.advertiseService<Trigger::Request, Trigger::Response>(
-      "map/clear", [&keeper](Trigger::Request&, Trigger::Response& response) {
-        keeper.clear();
-        return answer(response,
-                      [] { return std::string("the map is empty; its files are as they were"); });
-      }));
+  services_.push_back(offerFile(handle, "map/save",
+                                [&keeper](const std::string& name) { return keeper.save(name); }));
+  services_.push_back(offerFile(handle, "map/load",
+                                [&keeper](const std::string& name) { return keeper.load(name); }));
+  services_.push_back(offerTrigger(handle, "map/clear", [&keeper] {
+    keeper.clear();
+    return std::string("the map is empty; its files are as they were");
+  }));
   using GetMap = nav_msgs::GetMap;
   services_.push_back(handle.advertiseService<GetMap::Request, GetMap::Response>(
       "static_map", [&keeper, map_frame](GetMap::Request&, GetMap::Response& response) {

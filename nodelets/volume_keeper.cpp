@@ -40,6 +40,17 @@ sensor_msgs::PointField field(const char* name, std::uint32_t offset) {
 
 }  // namespace
 
+VolumeKeeper::VolumeKeeper(const VolumeKeeperSettings& settings)
+    : folder_(settings.folder), volume_(settings.volume), kept_(settings.name) {
+  std::error_code error;
+  if (settings.name.empty() || !std::filesystem::exists(pathOf(settings.name), error)) return;
+  try {
+    load(settings.name);
+  } catch (const std::runtime_error& fault) {
+    kept_.isBad(fault.what());
+  }
+}
+
 std::string VolumeKeeper::add(const sensor_msgs::Image& image, const sensor_msgs::CameraInfo& info,
                               const Eigen::Isometry3d& T_map_optical) {
   const auto view = openView(image, info);
@@ -55,26 +66,47 @@ std::string VolumeKeeper::pathOf(const std::string& name) const {
 }
 
 std::string VolumeKeeper::save(const std::string& name) {
-  const std::string path = pathOf(name);
+  const std::string chosen = kept_.chosen(name), path = pathOf(chosen);
+  const Lock files_lock(files_);
   std::string bytes;
+  std::uint64_t saved = 0;
   {
     const Lock lock(mutex_);
     bytes = volume_.encode();
+    saved = version();
   }
   std::error_code error;
   std::filesystem::create_directories(folder_, error);
   if (error) throw std::runtime_error("cannot make " + folder_ + ": " + error.message());
   writeAtomically(path, bytes);
+  const Lock lock(mutex_);
+  kept_.saved(chosen, saved);
   return "saved " + path;
 }
 
+void VolumeKeeper::saveByItself() {
+  {
+    const Lock lock(mutex_);
+    if (!kept_.isBehind(version(), volume_.isEmpty())) return;
+  }
+  try {
+    save({});
+  } catch (const std::runtime_error& fault) {
+    const Lock lock(mutex_);
+    kept_.failed(fault.what());
+  }
+}
+
 std::string VolumeKeeper::load(const std::string& name) {
-  const std::string path = pathOf(name);
+  const std::string chosen = kept_.chosen(name), path = pathOf(chosen);
   try {
     const std::string bytes = readWhole(path, kMostBytes);
     const Lock lock(mutex_);
+    const std::uint64_t before = version();
     const std::string fault = volume_.decode(bytes);
     if (!fault.empty()) throw std::runtime_error(fault);
+    version_ = before + 1;  // never one that was saved
+    kept_.loaded(chosen, version());
   } catch (const std::runtime_error& fault) {
     throw std::runtime_error(path + ": " + fault.what());
   }
@@ -83,7 +115,13 @@ std::string VolumeKeeper::load(const std::string& name) {
 
 void VolumeKeeper::clear() {
   const Lock lock(mutex_);
+  version_ = version() + 1;
   volume_.clear();
+}
+
+std::string VolumeKeeper::fault() const {
+  const Lock lock(mutex_);
+  return kept_.fault();
 }
 
 VolumeMap::Report VolumeKeeper::report() const {

@@ -1,18 +1,15 @@
 #include <diagnostic_updater/diagnostic_updater.h>
 #include <nodelet/nodelet.h>
-#include <pilothouse/MapFile.h>
-#include <std_srvs/Trigger.h>
 #include <tf2_eigen/tf2_eigen.h>
 #include <tf2_ros/transform_listener.h>
 #include <pluginlib/class_list_macros.hpp>
 
 #include "doors/guarded_subscriber.hpp"
-#include "doors/strict_parameters.hpp"
 #include "nodelets/camera_info_pairing.hpp"
+#include "nodelets/file_service.hpp"
 #include "nodelets/input_health.hpp"
 #include "nodelets/steady_loop.hpp"
-#include "nodelets/usual_folder.hpp"
-#include "nodelets/volume_keeper.hpp"
+#include "nodelets/volume_mapper_settings.hpp"
 
 namespace pilothouse {
 
@@ -24,12 +21,18 @@ class VolumeMapper : public nodelet::Nodelet {
   using Info = sensor_msgs::CameraInfo;
 
  public:
-  ~VolumeMapper() override { working_.reset(); }
+  ~VolumeMapper() override {
+    working_.reset();
+    saving_.reset();
+    if (keeper_) keeper_->saveByItself();
+  }
 
  private:
   void onInit() override {
     ros::NodeHandle& handle = getNodeHandle();
-    readParameters();
+    settings_ = readVolumeMapperSettings(getPrivateNodeHandle());
+    keeper_ = std::make_unique<VolumeKeeper>(settings_.keeper);
+    if (!keeper_->fault().empty()) NODELET_ERROR("%s", keeper_->fault().c_str());
     cubes_ = handle.advertise<visualization_msgs::Marker>("volume", 1, true);
     points_ = handle.advertise<sensor_msgs::PointCloud2>("volume_points", 1, true);
     health_ = std::make_unique<InputHealth>(handle.resolveName("camera/depth/image_rect"), 1.0);
@@ -49,26 +52,8 @@ class VolumeMapper : public nodelet::Nodelet {
         handle, "camera/depth/image_rect", 1,
         [this](const Image::ConstPtr& image) { pairing_.add(image); }, refused);
     serve();
-    working_ = std::make_unique<SteadyLoop>(1.0 / rate_, [this] { work(); });
-  }
-
-  void readParameters() {
-    VolumeParameters parameters;
-    std::string folder = usualMapFolder();
-    StrictParameters own(getPrivateNodeHandle());
-    own.read("map_frame", map_frame_);
-    own.read("folder", folder);
-    own.read("rate", rate_, 0.1, 30.0);
-    own.read("publish_period", publish_period_, 0.2, 60.0);
-    own.read("most_shown", most_shown_, 1, 1000000);
-    forEachVolumeParameter(parameters, [&own](const char* key, auto& value, auto low, auto high) {
-      own.read(key, value, low, high);
-    });
-    if (own.faultCount() == 0) {
-      for (const auto& fault : validate(parameters)) own.addFault(fault);
-    }
-    own.finish();
-    keeper_ = std::make_unique<VolumeKeeper>(parameters, folder);
+    saving_ = std::make_unique<SteadyLoop>(settings_.autosave, [this] { keeper_->saveByItself(); });
+    working_ = std::make_unique<SteadyLoop>(1.0 / settings_.rate, [this] { work(); });
   }
 
   /// Keeps the newest pair; the thread takes it when its turn comes.
@@ -96,7 +81,7 @@ class VolumeMapper : public nodelet::Nodelet {
     }
     if (now < next_publishing_) return;
     next_publishing_ = now + std::chrono::duration_cast<InputHealth::Clock::duration>(
-                                 std::chrono::duration<double>(publish_period_));
+                                 std::chrono::duration<double>(settings_.publish_period));
     publish();
   }
 
@@ -104,14 +89,14 @@ class VolumeMapper : public nodelet::Nodelet {
     const auto begin = InputHealth::Clock::now();
     std::string fault;
     // Waits for the pose, which comes a little after the picture; nobody else waits here.
-    if (!transforms_.canTransform(map_frame_, image.header.frame_id, image.header.stamp,
+    if (!transforms_.canTransform(settings_.map_frame, image.header.frame_id, image.header.stamp,
                                   ros::Duration(0.2), &fault)) {
-      return health_->rejected(
-          "pose", "the camera's pose in " + map_frame_ + " is not known at its stamp: " + fault);
+      return health_->rejected("pose", "the camera's pose in " + settings_.map_frame +
+                                           " is not known at its stamp: " + fault);
     }
     try {
-      const Eigen::Isometry3d T_map_optical = tf2::transformToEigen(
-          transforms_.lookupTransform(map_frame_, image.header.frame_id, image.header.stamp));
+      const Eigen::Isometry3d T_map_optical = tf2::transformToEigen(transforms_.lookupTransform(
+          settings_.map_frame, image.header.frame_id, image.header.stamp));
       fault = keeper_->add(image, info, T_map_optical);
     } catch (const tf2::TransformException& error) {
       fault = error.what();
@@ -127,40 +112,30 @@ class VolumeMapper : public nodelet::Nodelet {
     published_nodes_ = report.nodes;
     std_msgs::Header header;
     header.stamp = ros::Time::now();
-    header.frame_id = map_frame_;
-    const auto most = static_cast<std::size_t>(most_shown_);
+    header.frame_id = settings_.map_frame;
+    const auto most = static_cast<std::size_t>(settings_.most_shown);
     if (cubes_.getNumSubscribers() > 0) cubes_.publish(keeper_->cubes(header, most));
     points_.publish(keeper_->points(header, most));
   }
 
   void serve() {
     ros::NodeHandle& many = getMTNodeHandle();
-    const auto offer = [&](const char* name, auto work) {
-      services_.push_back(many.advertiseService<MapFile::Request, MapFile::Response>(
-          name, [work](MapFile::Request& request, MapFile::Response& response) {
-            try {
-              response.message = work(request.name);
-              response.success = true;
-            } catch (const std::runtime_error& fault) {
-              response.message = fault.what();
-            }
-            return true;
-          }));
-    };
-    offer("volume/save", [this](const std::string& name) { return keeper_->save(name); });
-    offer("volume/load", [this](const std::string& name) { return keeper_->load(name); });
-    using Trigger = std_srvs::Trigger;
-    services_.push_back(many.advertiseService<Trigger::Request, Trigger::Response>(
-        "volume/clear", [this](Trigger::Request&, Trigger::Response& response) {
-          keeper_->clear();
-          response.success = true;
-          return true;
-        }));
+    services_.push_back(offerFile(many, "volume/save",
+                                  [this](const std::string& name) { return keeper_->save(name); }));
+    services_.push_back(offerFile(many, "volume/load",
+                                  [this](const std::string& name) { return keeper_->load(name); }));
+    services_.push_back(offerTrigger(many, "volume/clear", [this] {
+      keeper_->clear();
+      return std::string("the octree is empty; its files are as they were");
+    }));
   }
 
   void report(diagnostic_updater::DiagnosticStatusWrapper& status) {
     const auto report = keeper_->report();
-    if (report.refused_voxels > 0) {
+    const std::string fault = keeper_->fault();
+    if (!fault.empty()) {
+      status.summary(diagnostic_msgs::DiagnosticStatus::ERROR, fault);
+    } else if (report.refused_voxels > 0) {
       status.summary(diagnostic_msgs::DiagnosticStatus::WARN, "the octree is full of what is near");
     } else {
       status.summary(diagnostic_msgs::DiagnosticStatus::OK, "learning");
@@ -171,10 +146,7 @@ class VolumeMapper : public nodelet::Nodelet {
     status.add("voxels that did not enter", report.refused_voxels);
   }
 
-  std::string map_frame_ = "map";
-  double rate_ = 3.0;            ///< pictures that are taken [Hz], 0.1..30
-  double publish_period_ = 1.0;  ///< [s], 0.2..60
-  int most_shown_ = 100000;      ///< voxels that are published, 1..1000000
+  VolumeMapperSettings settings_;
   std::unique_ptr<VolumeKeeper> keeper_;
   CameraInfoPairing pairing_{
       [this](const Image::ConstPtr& image, const Info::ConstPtr& info) { keep(image, info); },
@@ -194,7 +166,7 @@ class VolumeMapper : public nodelet::Nodelet {
   ros::Publisher cubes_, points_;
   std::unique_ptr<diagnostic_updater::Updater> diagnostics_;
   InputHealth::Clock::time_point next_diagnostics_, next_publishing_;
-  std::unique_ptr<SteadyLoop> working_;
+  std::unique_ptr<SteadyLoop> saving_, working_;
 };
 
 }  // namespace pilothouse

@@ -116,6 +116,21 @@ TEST_F(MapFilesTest, ReadsWhatOthersWrite) {
   EXPECT_EQ((*map)->at((*map)->cellOf(-1.04, -0.45)), MapCell::kUnknown);
 }
 
+TEST_F(MapFilesTest, ReadsWhatMapSaverWritesForAFolder) {
+  // rosrun map_server map_saver -f /home/robot/maps/hall, and moved since.
+  write("hall.yaml",
+        "image: /home/robot/maps/hall.pgm\nresolution: 0.050000\norigin: [-1.000000, -1.000000, "
+        "-0.000000]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n\n");
+  EXPECT_NE(loadMap(folder, "hall", {}).reason().find("in the same folder"), std::string::npos);
+  write("hall.pgm",
+        std::string("P5\n# CREATOR: map_saver.cpp 0.050 m/pix\n3 1\n255\n") + '\0' + "\xFE\xCD");
+  const auto map = loadMap(folder, "hall", {});
+  ASSERT_TRUE(map) << map.reason();
+  EXPECT_EQ((*map)->at((*map)->cellOf(-0.98, -0.98)), MapCell::kOccupied);
+  EXPECT_EQ((*map)->at((*map)->cellOf(-0.93, -0.98)), MapCell::kFree);
+  EXPECT_EQ((*map)->at((*map)->cellOf(-0.88, -0.98)), MapCell::kUnknown);
+}
+
 TEST_F(MapFilesTest, RefusesBadPicturesByName) {
   EXPECT_EQ(refusal(kYaml, kPgm), "accepted");
   const std::string at = path("bad.pgm") + ": ";

@@ -5,6 +5,7 @@ import os
 import random
 import shutil
 import signal
+import struct
 import sys
 import threading
 import time
@@ -20,6 +21,7 @@ from nav_msgs.msg import OccupancyGrid
 from nav_msgs.srv import GetMap
 from pilothouse.msg import FloorGrid, MapGrid
 from pilothouse.srv import MapFile
+from sensor_msgs.msg import CameraInfo, Image, PointCloud2
 from std_srvs.srv import Trigger
 
 DEADLINE = 40.0  # s, for what must happen
@@ -141,8 +143,9 @@ class MapRestart(unittest.TestCase):
         self.wait(lambda: os.path.exists(path), 'never saved by itself')
         for kill in range(3):
             self.learn(4 + kill, 4.0 + 3.0 * kill)
-            newest = os.stat(path).st_ino
-            self.wait(lambda: os.stat(path).st_ino != newest, 'never saved by itself again')
+            # Ten times as long as it ever waits; it may have saved all of it before we looked.
+            newest, begin = os.stat(path).st_ino, time.monotonic()
+            self.wait(lambda: os.stat(path).st_ino != newest or time.monotonic() > begin + 10.0, 'never')
             self.settle()
             before = self.cells
             self.kill()
@@ -168,6 +171,51 @@ class MapRestart(unittest.TestCase):
         self.assertFalse(answer.success)
         self.settle()
         self.same(self.cells, before)
+
+    def look(self):
+        """A wall 2 m before a camera that stands 0.8 m high."""
+        picture, info, transform = Image(), CameraInfo(), TransformStamped()
+        now = rospy.Time.now()
+        for header in (picture.header, info.header):
+            header.stamp, header.frame_id = now, 'wall_camera'
+        picture.width, picture.height, picture.step, picture.encoding = 80, 60, 160, '16UC1'
+        picture.data = (2000).to_bytes(2, 'little') * 4800
+        info.width, info.height = 80, 60
+        info.K = [65.0, 0.0, 39.5, 0.0, 65.0, 29.5, 0.0, 0.0, 1.0]
+        info.P = [65.0, 0.0, 39.5, 0.0, 0.0, 65.0, 29.5, 0.0, 0.0, 0.0, 1.0, 0.0]
+        transform.header.stamp = now
+        transform.header.frame_id, transform.child_frame_id = 'map', 'wall_camera'
+        transform.transform.translation.z = 0.8
+        turn = transform.transform.rotation  # x right, y down, z ahead
+        turn.x, turn.y, turn.z, turn.w = -0.5, 0.5, -0.5, 0.5
+        self.transforms.publish(tf2_msgs.msg.TFMessage([transform]))
+        self.info.publish(info)
+        self.image.publish(picture)
+        time.sleep(0.05)  # frames of a camera
+
+    def filled(self):
+        """Occupied volume that is published [voxels]."""
+        if self.points is None:
+            return 0
+        edges = struct.unpack('<%df' % (len(self.points.data) // 4), self.points.data)[3::4]
+        return sum(round(edge / 0.05) ** 3 for edge in edges)
+
+    def test_5_the_volume_survives_a_kill_by_itself(self):
+        self.image = rospy.Publisher('camera/depth/image_rect', Image, queue_size=2)
+        self.info = rospy.Publisher('camera/depth/camera_info', CameraInfo, queue_size=2)
+        self.points = None
+        self.subscribers.append(rospy.Subscriber('volume_points', PointCloud2, self.take, 'points'))
+        path = os.path.join(self.folder, 'room.bt')
+
+        def learnt():
+            self.look()
+            return self.filled() > 300 and os.path.exists(path)
+        self.wait(learnt, 'the wall was never learnt, or never saved by itself')
+        answer = self.call('volume/save', '')  # all of it: nothing is shown any more
+        self.assertTrue(answer.success, answer.message)
+        learnt_before, self.points = self.filled(), None
+        self.kill()
+        self.wait(lambda: self.filled() >= 0.9 * learnt_before > 270, 'the wall never came back')
 
     def test_4_cleared(self):
         answer = rospy.ServiceProxy('map/clear', Trigger)()

@@ -194,6 +194,14 @@ std::string VolumeMap::decode(std::string_view bytes) {
   return {};
 }
 
+std::uint64_t VolumeMap::changes() const {
+  return tree_->changes;
+}
+
+bool VolumeMap::isEmpty() const {
+  return tree_->octree.size() == 0;
+}
+
 VolumeMap::Report VolumeMap::report() const {
   return {tree_->octree.size(), tree_->octree.memoryUsage(), tree_->refused_voxels,
           tree_->forgotten_nodes, tree_->changes};

@@ -46,6 +46,8 @@ class VolumeMap {
     std::uint64_t changes = 0;          ///< voxels that the octree was told of
   };
   Report report() const;
+  std::uint64_t changes() const;  ///< as in the report, which takes longer the larger the octree is
+  bool isEmpty() const;
   const VolumeParameters& parameters() const { return parameters_; }
 
  private:

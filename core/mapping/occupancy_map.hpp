@@ -37,6 +37,8 @@ class OccupancyMap {
   OccupancyMap(OccupancyMap&&) noexcept;
   OccupancyMap& operator=(OccupancyMap&&) noexcept;
   ~OccupancyMap();
+  /// For who takes his time with it while this one learns on.
+  OccupancyMap copy() const;
 
   // In: each returns why the frame was refused, and then nothing has changed; null: it was not.
   // The pose is the base's in the map frame at the frame's stamp.
@@ -94,6 +96,10 @@ class OccupancyMap {
   template <class Keeps>
   void learnBlock(int column, int row, std::uint8_t* evidence, Keeps keeps);
   const Block* block(int column, int row) const;
+  /// Block of a cell, also of a negative one.
+  static int blockOf(std::int32_t cell) {
+    return cell >= 0 ? cell / kBlock : -((kBlock - 1 - cell) / kBlock);
+  }
   bool inside(int column, int row) const {
     return column >= -half_ && column < half_ && row >= -half_ && row < half_;
   }
