@@ -90,14 +90,16 @@ class MotionExecutorNodelet : public nodelet::Nodelet {
     if (fault.empty() && !wish->points.empty()) {
       pose = pose_->in(path.header.frame_id, fault);
     }
+    unsaid_ = kSaidEvery;  // the next step says what became of it
+    refusal_ = fault;
     if (!fault.empty()) {
-      publish(RouteState::REFUSED, {}, fault);
-      refused_ = executor_->idle();
+      // Whoever sent it means the robot to leave the route before, and would not know where it is.
+      executor_->cancel();
+      points_ = 0;
       return fault;
     }
     frame_ = path.header.frame_id;
     points_ = wish->points.size();
-    refused_ = false;
     executor_->drive(wish->points, wish->heading, wish->loop, pose.value_or(Pose2{}));
     return {};
   }
@@ -127,9 +129,9 @@ class MotionExecutorNodelet : public nodelet::Nodelet {
     const bool changed =
         output.state != last_.state || output.target != last_.target || output.text != last_.text;
     last_ = output;
-    if (refused_ || (!changed && ++unsaid_ < kSaidEvery)) return;
+    if (!changed && ++unsaid_ < kSaidEvery) return;
     unsaid_ = 0;
-    publish(static_cast<std::uint8_t>(output.state), output, output.text);
+    say(output);
   }
 
   void send(const Twist2& wanted) {
@@ -143,15 +145,19 @@ class MotionExecutorNodelet : public nodelet::Nodelet {
     wheels_->publish(wanted);
   }
 
-  void publish(std::uint8_t state, const ExecutorOutput& output, const std::string& text) {
+  void say(const ExecutorOutput& output) {
     RouteState message;
     message.header.stamp = ros::Time::now();
     message.header.frame_id = frame_;
-    message.state = state;
+    message.state = static_cast<std::uint8_t>(output.state);
     message.target = static_cast<std::uint32_t>(output.target);
     message.points = static_cast<std::uint32_t>(points_);
     message.distance_left = static_cast<float>(output.distance_left);
-    message.text = text;
+    message.text = output.text;
+    if (!refusal_.empty()) {
+      message.state = RouteState::REFUSED;
+      message.text = refusal_;
+    }
     state_.publish(message);
   }
 
@@ -168,7 +174,7 @@ class MotionExecutorNodelet : public nodelet::Nodelet {
   std::size_t points_ = 0;
   double busy_until_ = -1.0;
   int unsaid_ = 0;
-  bool refused_ = false;  ///< idle since a route was refused: that stays said
+  std::string refusal_;  ///< why the newest route was not taken: said until another comes
   InputHealth odometry_health_{"odom", 1.0}, route_health_{"route", 1e9};
   InputHealth limit_health_{"speed_limit", 1.0}, stop_health_{"stop_state", 1e9};
   ros::Publisher command_, state_;

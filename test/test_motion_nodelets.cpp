@@ -306,6 +306,37 @@ TEST(ExecutorNodelet, RefusesWhatIsNoRouteAndSaysWhy) {
   refused({{1.0, 0.0}}, "", "frame \"\"");
 }
 
+TEST(ExecutorNodelet, StandsWhenItRefusesARouteOnTheWayAndGoesOnSayingSo) {
+  MotionHarness robot;
+  ASSERT_TRUE(robot.load("executor", "MotionExecutor"));
+  ASSERT_TRUE(robot.runUntil([&] { return robot.route_state.state == RouteState::IDLE; }));
+  const auto drives = [&] {
+    robot.drive({{2.0, 0.0}}, "odom");
+    return robot.wanted.twist.linear.x > 0.3 && robot.route_state.state == RouteState::DRIVING;
+  };
+  ASSERT_TRUE(robot.runUntil(drives));
+  ASSERT_TRUE(robot.runUntil([&] {
+    robot.drive({{0.0, 2.0}}, "moon");
+    return robot.route_state.state == RouteState::REFUSED;
+  }));
+  // Not sent again: it stays at zero, and what it says is heard whoever comes late.
+  EXPECT_TRUE(robot.runUntil([&] { return robot.wanted.twist.linear.x == 0.0; }, 5.0));
+  const ros::Time zero = robot.wanted.header.stamp;
+  int said = 0;
+  ros::Time last = robot.route_state.header.stamp;
+  EXPECT_TRUE(robot.runUntil(
+      [&] {
+        EXPECT_EQ(robot.wanted.twist.linear.x, 0.0);
+        EXPECT_EQ(robot.route_state.state, RouteState::REFUSED);
+        if (robot.route_state.header.stamp != last) ++said;
+        last = robot.route_state.header.stamp;
+        return said >= 5 && robot.wanted.header.stamp > zero;
+      },
+      5.0))
+      << said;
+  EXPECT_TRUE(robot.runUntil(drives)) << "a good route drives again";
+}
+
 /// A robot that drives in a frame, whose pose then falls silent: it waits, and says why.
 void expectWaitsWithout(bool MotionHarness::*input, const std::string& frame,
                         const std::string& reason) {
