@@ -1,6 +1,7 @@
 #include "nodelets/move_base_server.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace pilothouse {
 
@@ -16,14 +17,16 @@ MoveBaseServer::MoveBaseServer(ros::NodeHandle& handle, NavigationLoop& loop, On
 }
 
 void MoveBaseServer::takeGoal() {
-  task_ = 0;
-  const auto goal = action_.acceptNewGoal();
+  const std::uint32_t before = std::exchange(task_, 0);
+  const auto goal = action_.acceptNewGoal();  // ends the client's goal before
   const auto task = loop_.goTo(goal->target_pose);
   if (task) {
     task_ = *task;
-  } else {
-    action_.setAborted({}, task.reason());
+    return;
   }
+  // Nobody could cancel any more what it drove to.
+  if (before != 0) loop_.tasker().cancel(before);
+  action_.setAborted({}, task.reason());
 }
 
 void MoveBaseServer::takePreempt() {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "doors/goal_views.hpp"
@@ -40,7 +41,11 @@ std::string NavigationLoop::take(const MapGrid& grid) {
   const auto map = openMap(grid);
   if (!map) return map.reason();
   if (map->cells.empty()) return "a map without cells";
-  planner_.setMap(*map);
+  try {
+    planner_.setMap(*map);
+  } catch (const std::invalid_argument& fault) {
+    return fault.what();
+  }
   return {};
 }
 

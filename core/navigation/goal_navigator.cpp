@@ -80,13 +80,19 @@ bool GoalNavigator::isHeard(const NavigationInput& input, ExecutorReport::State 
 }
 
 void GoalNavigator::send(std::vector<Pose2> poses, std::optional<double> heading) {
+  ordered_ = !poses.empty();
   order_ = DriveOrder{std::move(poses), heading};
   sent_ = now_;
 }
 
-void GoalNavigator::fail(const std::string& text, const std::optional<Vector2d>& nearest) {
-  if (!path_.empty() || phase_ != NavigationPhase::kPlanning) send({}, std::nullopt);
+/// Whatever it was ordered to drive, of this goal or of one before, is driven no more.
+void GoalNavigator::halt() {
+  if (ordered_) send({}, std::nullopt);
   path_.clear();
+}
+
+void GoalNavigator::fail(const std::string& text, const std::optional<Vector2d>& nearest) {
+  halt();
   text_ = text;
   nearest_ = nearest;
   enter(NavigationPhase::kFailed);
@@ -102,6 +108,7 @@ void GoalNavigator::planFirst(const NavigationInput& input) {
     replan(input);
     return;
   }
+  halt();
   text_ = textOf(NoWay::kNoMap);
   if (now_ - since_ > kNoMap) fail(text_, std::nullopt);
 }
@@ -115,7 +122,9 @@ void GoalNavigator::follow(const NavigationInput& input, double dt) {
   }
   if (!path_.empty()) {
     const double before = way_;
-    way_ = route_.nearest(pose.position(), std::max(0.0, way_ - 0.5), way_ + 1.0).way;
+    const Route::Foot foot = route_.nearest(pose.position(), std::max(0.0, way_ - 0.5), way_ + 1.0);
+    way_ = foot.way;
+    off_way_ = foot.distance;
     if (!input.halted && dt > 0.0) {
       const double share = std::min(1.0, dt / kSpeedTime);
       speed_ += share * (std::max(0.0, way_ - before) / dt - speed_);
@@ -132,6 +141,12 @@ void GoalNavigator::follow(const NavigationInput& input, double dt) {
 }
 
 void GoalNavigator::drive(const NavigationInput& input) {
+  if (!path_.empty() && off_way_ > kOffWay && !settling_) {
+    // Its pose was set or corrected: whatever lies between here and the way was not looked at.
+    trail_.clear();
+    replan(input);
+    return;
+  }
   // On a way through what is seen far off more of that comes near, whether or not it changes.
   if ((revision_ != planner_.revision() || nearing_) && !settling_) {
     revision_ = planner_.revision();
@@ -240,7 +255,7 @@ NavigationStatus GoalNavigator::status() const {
   status.plans = plans_;
   if (phase_ == NavigationPhase::kFailed) status.nearest = nearest_;
   if (phase_ == NavigationPhase::kReached) status.distance_left = status.time_left = 0.0;
-  if (path_.empty()) return status;
+  if (path_.empty() || phase_ == NavigationPhase::kBacking) return status;
   status.distance_left = left();
   status.time_left = left() / std::max(kSlowest, speed_);
   return status;

@@ -92,6 +92,7 @@ class GoalNavigator {
   }
 
  private:
+  static constexpr double kOffWay = 0.3;    ///< farther beside its way it is elsewhere [m]
   static constexpr double kTryAgain = 0.5;  // while there is no way one is sought so often [s]
 
   enum class Measure { kReplan, kLook, kBack, kRest };
@@ -111,6 +112,7 @@ class GoalNavigator {
   void seekShorter(const NavigationInput& input);
   void seekRoomier(const NavigationInput& input);
   void stuck(const NavigationInput& input);
+  bool isFree(const NavigationInput& input);
   void lookRound(const NavigationInput& input);
   void lookTo(int look);
   void avoidHere();
@@ -122,6 +124,8 @@ class GoalNavigator {
   void manoeuvre(const NavigationInput& input);
   void fail(const std::string& text, const std::optional<Eigen::Vector2d>& nearest);
   void send(std::vector<Pose2> poses, std::optional<double> heading);
+  void halt();
+  void lay(std::vector<Pose2> poses);
   void take(Found found);
   void forget();
   bool lengthen();
@@ -145,6 +149,7 @@ class GoalNavigator {
   std::vector<Pose2> path_;  ///< none: there is no way now, or it manoeuvres
   Route route_;              ///< the path as it is driven
   double way_ = 0.0;         ///< along it [m]
+  double off_way_ = 0.0;     ///< beside it [m]
   std::deque<double> ends_;  ///< ways at which it comes to the goal and to those beyond [m]
   bool nearing_ = false;     ///< it leads through what is seen far off
   bool settling_ = false;    ///< it is near enough and only turns
@@ -152,6 +157,7 @@ class GoalNavigator {
   std::optional<DriveOrder> order_;
   unsigned plans_ = 0;
   bool begins_ = false;
+  bool ordered_ = false;  ///< the executor has something to drive
   // Times [s]: of this step, when the phase began, of the last order, of the last plan, of the last
   // pose, when it last got on and turned, and of the last try to lengthen its way.
   double now_ = 0.0, since_ = 0.0, sent_ = 0.0, sought_ = 0.0, placed_ = 0.0;

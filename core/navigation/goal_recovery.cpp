@@ -146,7 +146,8 @@ bool GoalNavigator::drivesToLook(const NavigationInput& input, const Vector2d& f
   if (!plan || plan.length > kFarthestLook) return false;
   looked_from_.push_back(from);
   longest_ = kLongestBack + plan.length / kSlowDrive;
-  send(std::move(plan.poses), heading);
+  lay(std::move(plan.poses));
+  send(path_, heading);
   enter(NavigationPhase::kBacking);
   text_ = "goes to look at what is in the way: " + stuck_by_;
   return true;
@@ -172,8 +173,8 @@ bool GoalNavigator::backOff(const NavigationInput& input) {
     least += 0.5 * parameters_.back_distance;
     Plan plan = planner_.plan({*input.pose, place->position(), std::nullopt});
     if (!plan || plan.length > 4.0 * parameters_.back_distance) continue;
-    path_.clear();
-    send(std::move(plan.poses), std::nullopt);
+    lay(std::move(plan.poses));
+    send(path_, std::nullopt);
     enter(NavigationPhase::kBacking);
     longest_ = kLongestBack;
     text_ = "backs off: " + stuck_by_;
@@ -182,11 +183,20 @@ bool GoalNavigator::backOff(const NavigationInput& input) {
   return false;
 }
 
+/// Whether the way of the manoeuvre still is, and the robot is on it.
+bool GoalNavigator::isFree(const NavigationInput& input) {
+  if (path_.empty()) return true;  // it turns where it stands
+  if (off_way_ > kOffWay) return false;
+  if (revision_ == planner_.revision()) return true;
+  revision_ = planner_.revision();
+  return planner_.free(rest(*input.pose));
+}
+
 void GoalNavigator::manoeuvre(const NavigationInput& input) {
   if (input.halted) since_ = now_;
   const bool looking = phase_ == NavigationPhase::kLooking;
   const bool over = now_ - since_ > longest_;
-  if (!over && !isHeard(input, ExecutorReport::kReached)) return;
+  if (!over && isFree(input) && !isHeard(input, ExecutorReport::kReached)) return;
   if (looking && looks_ < 2) return lookTo(looks_ + 1);
   got_on_ = turned_on_ = now_;
   replan(input);

@@ -28,18 +28,24 @@ PlanRequest GoalNavigator::request(const NavigationInput& input) const {
   return {*input.pose, goal_.place, goal_.heading};
 }
 
+/// What is driven from now on.
+void GoalNavigator::lay(std::vector<Pose2> poses) {
+  path_ = std::move(poses);
+  nearing_ = false;
+  route_ = Route(placesOf(path_), planner_.parameters().corners);
+  way_ = off_way_ = 0.0;
+  ends_ = {route_.length()};
+  revision_ = planner_.revision();
+}
+
 void GoalNavigator::take(Found found) {
-  path_ = std::move(found.plan.poses);
+  lay(std::move(found.plan.poses));
   nearing_ = found.nearing;
   settling_ = false;
-  route_ = Route(placesOf(path_), planner_.parameters().corners);
-  way_ = 0.0;
-  ends_ = {route_.length()};
   while (route_.length() < kAhead && lengthen()) {
   }
   best_left_ = left();
   got_on_ = turned_on_ = sought_ = now_;
-  revision_ = planner_.revision();
   text_.clear();
   send(path_, endHeading());
   enter(NavigationPhase::kDriving);
@@ -124,8 +130,7 @@ bool GoalNavigator::replan(const NavigationInput& input) {
     fail(textOf(clean.why), clean.nearest);
     return false;
   }
-  if (!path_.empty()) send({}, std::nullopt);
-  path_.clear();
+  halt();
   nearest_ = plan.nearest;
   text_ = std::string("blocked: ") + textOf(plan.why);
   revision_ = planner_.revision();

@@ -26,6 +26,7 @@ CostField::CostField(const PlanningParameters& parameters, double inscribed, dou
     : parameters_(parameters),
       least_(inscribed + parameters.clearance),
       comfortable_(inscribed + std::max(parameters.clearance, parameters.wish)),
+      needed_(std::max(reach, least_)),
       reach_(std::max(reach, comfortable_)) {
   blocks_[at(MapCell::kOccupied)] = blocks_[at(MapCell::kDropOff)] = 1;
   blocks_[at(MapCell::kUnknown)] = parameters.unknown == UnknownFloor::kNever ? 1 : 0;
@@ -70,6 +71,13 @@ void CostField::take(const MapCells& map) {
                                 std::to_string(map.size_y) + " cells with " +
                                 std::to_string(map.cells.size()) + " values, expected 1 to " +
                                 std::to_string(kMostSide) + " a side and as many values");
+  }
+  // Farther than that nothing would count as near, though it touched.
+  const double finest = needed_ / (ClearanceField::kMostReach - 1.5);
+  if (map.cell_size < finest) {
+    throw std::invalid_argument("map with cells of " + std::to_string(map.cell_size) +
+                                " m, expected at least " + std::to_string(finest) +
+                                " m for this robot's size and clearance");
   }
   const bool same = size_x_ == map.size_x && size_y_ == map.size_y && cell_size_ == map.cell_size;
   size_x_ = map.size_x;

@@ -63,7 +63,7 @@ class CostField {
   double closenessAt(double clearance) const;
 
   PlanningParameters parameters_;
-  double least_, comfortable_, reach_;
+  double least_, comfortable_, needed_, reach_;
   double cell_size_ = 0.0;
   int size_x_ = 0, size_y_ = 0;
   std::array<std::uint8_t, 5> blocks_{};  ///< by MapCell

@@ -8,9 +8,10 @@
 namespace pilothouse {
 namespace {
 
-constexpr double kBeyond = 1.0;        // so much more than a place that is to be covered [m]
-constexpr int kPiece = 64;             // what changed is found in squares of this side [cells]
-constexpr std::size_t kMostShare = 4;  // where more than a quarter of them did, all are taken
+constexpr double kBeyond = 1.0;            // so much more than a place that is to be covered [m]
+constexpr double kFarthestCovered = 50.0;  // off a map, which may be another than it was for [m]
+constexpr int kPiece = 64;                 // what changed is found in squares of this side [cells]
+constexpr std::size_t kMostShare = 4;      // where more than a quarter of them did, all are taken
 
 bool sameLayout(const MapCells& a, const MapCells& b) {
   return a.size_x == b.size_x && a.size_y == b.size_y && a.cell_size == b.cell_size &&
@@ -39,7 +40,9 @@ MapCells MarkedMap::grown(const MapCells& map) const {
   if (covered_) {
     const int beyond = static_cast<int>(kBeyond / map.cell_size);
     const int x = map.column(covered_->x()), y = map.row(covered_->y());
-    if (!map.contains(x, y)) {
+    const int most = static_cast<int>(kFarthestCovered / map.cell_size);
+    const bool near = x > -most && y > -most && x < map.size_x + most && y < map.size_y + most;
+    if (near && !map.contains(x, y)) {
       whole.include(x - beyond, y - beyond);
       whole.include(x + beyond, y + beyond);
     }

@@ -58,6 +58,7 @@ struct BehaviourTools {
 struct BehaviourKind {
   const char* name;
   int priority;  ///< higher ones set lower ones aside
+  bool asked;    ///< paused, resumed, skipped and cancelled by a person; else it ends by itself
   /// Why a wish cannot be granted; empty: it can.
   std::string (*faultOf)(const Wish& wish);
   std::unique_ptr<Behaviour> (*make)(const Wish& wish, const BehaviourTools& tools);

@@ -26,7 +26,7 @@ class DriveByHand : public Behaviour {
 }  // namespace
 
 const BehaviourKind kDriveByHand = {
-    "hand", 100, [](const Wish&) { return std::string(); },
+    "hand", 100, false, [](const Wish&) { return std::string(); },
     [](const Wish&, const BehaviourTools&) -> std::unique_ptr<Behaviour> {
       return std::make_unique<DriveByHand>();
     }};

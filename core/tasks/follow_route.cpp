@@ -140,7 +140,7 @@ class FollowRoute : public Behaviour {
 }  // namespace
 
 const BehaviourKind kFollowRoute = {
-    "route", 50, faultOfStops,
+    "route", 50, true, faultOfStops,
     [](const Wish& wish, const BehaviourTools& tools) -> std::unique_ptr<Behaviour> {
       return std::make_unique<FollowRoute>(wish, tools);
     }};

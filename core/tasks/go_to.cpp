@@ -31,7 +31,7 @@ class GoTo : public Behaviour {
 }  // namespace
 
 const BehaviourKind kGoTo = {
-    "go_to", 50,
+    "go_to", 50, true,
     [](const Wish& wish) {
       if (wish.stops.size() != 1) {
         return std::to_string(wish.stops.size()) + " goals, expected one";

@@ -1,9 +1,22 @@
 #include "core/tasks/route_faults.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
 namespace pilothouse {
+namespace {
+
+constexpr double kApart = 0.05;  // [m]
+
+/// A loop without would turn on the spot for ever.
+bool hasTwoPlaces(const Wish& wish) {
+  return std::any_of(wish.stops.begin(), wish.stops.end(), [&wish](const RouteStop& stop) {
+    return (stop.goal.place - wish.stops.front().goal.place).norm() > kApart;
+  });
+}
+
+}  // namespace
 
 std::string faultOfStops(const Wish& wish) {
   std::ostringstream text;
@@ -30,6 +43,10 @@ std::string faultOfStops(const Wish& wish) {
       return text.str();
     }
     text.str("");
+  }
+  if (wish.loop && !hasTwoPlaces(wish)) {
+    text << "loop: its points lie in one place, expected two that are " << kApart << " m apart";
+    return text.str();
   }
   return {};
 }

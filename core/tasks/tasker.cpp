@@ -61,17 +61,24 @@ void Tasker::end(std::size_t place, TaskPhase phase, const std::string& text) {
   tasks_.erase(tasks_.begin() + static_cast<std::ptrdiff_t>(place));
 }
 
+/// What a person means who pauses or cancels: while they drive by hand, what goes on after that.
+Tasker::Task* Tasker::asked() {
+  const auto task =
+      std::find_if(tasks_.begin(), tasks_.end(), [](const Task& t) { return t.kind->asked; });
+  return task == tasks_.end() ? nullptr : &*task;
+}
+
 std::string Tasker::pause() {
-  Task* const task = current();
+  Task* const task = asked();
   if (task == nullptr) return "nothing runs";
   if (task->paused) return "it is paused already";
   task->paused = true;
-  stop_ = true;
+  if (task == current()) stop_ = true;
   return {};
 }
 
 std::string Tasker::resume() {
-  Task* const task = current();
+  Task* const task = asked();
   if (task == nullptr || !task->paused) return "nothing is paused";
   task->paused = false;
   task->behaviour->resume();
@@ -79,10 +86,12 @@ std::string Tasker::resume() {
 }
 
 std::string Tasker::cancel(std::uint32_t id) {
-  if (tasks_.empty()) return "nothing runs";
-  const auto task = id == 0 ? tasks_.begin()
-                            : std::find_if(tasks_.begin(), tasks_.end(),
-                                           [id](const Task& t) { return t.id == id; });
+  if (const Task* const task = asked(); id == 0) {
+    if (task == nullptr) return "nothing runs";
+    id = task->id;
+  }
+  const auto task =
+      std::find_if(tasks_.begin(), tasks_.end(), [id](const Task& t) { return t.id == id; });
   if (task == tasks_.end()) return "task " + std::to_string(id) + " has ended already";
   const auto place = static_cast<std::size_t>(task - tasks_.begin());
   end(place, TaskPhase::kCancelled, "cancelled");
@@ -91,7 +100,8 @@ std::string Tasker::cancel(std::uint32_t id) {
 }
 
 std::string Tasker::skip() {
-  return tasks_.empty() ? "nothing runs" : tasks_.front().behaviour->skip();
+  Task* const task = asked();
+  return task == nullptr ? "nothing runs" : task->behaviour->skip();
 }
 
 TaskerOutput Tasker::step(const TaskInput& input) {

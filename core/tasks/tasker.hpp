@@ -45,7 +45,8 @@ class Tasker {
 
   /// @return the new task's id, or why there is none; then all is as before.
   Checked<std::uint32_t> submit(const Wish& wish);
-  // Each returns why not; empty: done. Id 0: the task that runs.
+  // Each returns why not; empty: done. Id 0: the task that runs, or that driving by hand sets
+  // aside.
   std::string pause();
   std::string resume();
   std::string cancel(std::uint32_t id = 0);
@@ -62,6 +63,7 @@ class Tasker {
     bool aside = false;   ///< it ran and another took its place
   };
   Task* current() { return tasks_.empty() ? nullptr : &tasks_.front(); }
+  Task* asked();
   void end(std::size_t place, TaskPhase phase, const std::string& text);
   void changed();
 
