@@ -174,6 +174,15 @@ TEST_F(Goals, AStandardActionClientSendsTheRobotRoundWhatTheMapDoesNotHave) {
   ASSERT_TRUE(driveUntil([&] { return client.getState().isDone(); }, 10.0));
   EXPECT_EQ(client.getState(), actionlib::SimpleClientGoalState::PREEMPTED);
   ASSERT_TRUE(spinUntil([&] { return task.state == TaskState::CANCELLED; }));
+
+  // A bad one that replaces a good one: that has ended for its client, so nothing is driven to.
+  client.sendGoal(goal);
+  ASSERT_TRUE(spinUntil([&] { return task.state == TaskState::RUNNING; }));
+  goal.target_pose = poseAt(kNan, 0.0, 0.0);
+  client.sendGoal(goal);
+  ASSERT_TRUE(driveUntil([&] { return client.getState().isDone(); }, 10.0));
+  EXPECT_EQ(client.getState(), actionlib::SimpleClientGoalState::ABORTED);
+  EXPECT_TRUE(spinUntil([&] { return task.state == TaskState::CANCELLED; }));
 }
 
 TEST_F(Goals, BadOnesAreRefusedAndWhatRunsGoesOn) {
