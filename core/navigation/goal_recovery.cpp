@@ -62,7 +62,7 @@ void GoalNavigator::stuck(const NavigationInput& input) {
   }
   if (measure_ == Measure::kBack) {
     measure_ = Measure::kRest;
-    avoidHere();
+    if (tries_ > 0) avoidHere();  // not before it was held there again
     if (backOff(input)) return;
   }
   measure_ = Measure::kReplan;
