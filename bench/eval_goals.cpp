@@ -124,6 +124,8 @@ int run(const EvalOptions& options) {
     if (!options.out.empty() && (options.only || isMissed(result))) draw(result, options.out);
     totals.add(result);
   });
+  // What is not judged must not hide: goals that count as impossible, lengths without an optimum.
+  const double still = totals.lengths + totals.without_shortest;
   const std::vector<Bar> bars = {
       {"reached_percent", 100.0 * totals.reached / std::max(1, totals.possible),
        totals.possible > 0 ? 99.5 : 0.0, true},
@@ -134,6 +136,10 @@ int run(const EvalOptions& options) {
       {"length_over_shortest", totals.length_sum / std::max(1, totals.lengths), 1.05, false},
       {"final_error_m", totals.off, 0.05, false},
       {"final_error_deg", totals.turned_off * kDegrees, 3.0, false},
+      {"goals_judged", static_cast<double>(totals.possible), options.only ? 0.0 : 1.0, true},
+      {"rooms_without_goal_percent", 100.0 * totals.skipped / std::max(1, totals.runs), 5.0, false},
+      {"without_shortest_percent", 100.0 * totals.without_shortest / std::max(1.0, still), 10.0,
+       false},
   };
   const bool pass = tellBars(bars);
   JsonLine summary;
