@@ -38,6 +38,10 @@ constexpr double kMostShare = 0.5;   // of the raw error
 constexpr double kMostLaserShare = 0.2;
 constexpr double kMostLevelShare = 0.35;
 constexpr double kMostTourError = 0.05, kMostTourMax = 0.1;  // of the furnished room's tour [m]
+// Of the way and the turns that the wheels count, without a gyroscope: what a scan corrects must
+// never be worse than what they say.
+constexpr double kSlips[] = {0.15, 0.3};
+constexpr double kMostSlippingShare = 0.4;
 // The virtual scan tells cells, and not far: often there is nothing to hold on to.
 constexpr double kMostVirtualShare = 0.75;
 
@@ -117,6 +121,11 @@ double medianOf(std::vector<double> values) {
 struct Totals {
   std::vector<double> raw, corrected;  ///< [m]
   int better = 0;
+  void add(const PoseJudgement& judgement) {
+    raw.push_back(judgement.raw_begin.rms);
+    corrected.push_back(judgement.corrected_begin.rms);
+    if (judgement.corrected_begin.rms < judgement.raw_begin.rms) ++better;
+  }
   double share() const {
     double with = 0.0, without = 0.0;
     for (const double error : corrected) with += error * error;
@@ -145,6 +154,7 @@ int evaluateSimulated(const EvalOptions& options) {
   constexpr SimulatedScanner kScanners[] = {SimulatedScanner::kLaser, SimulatedScanner::kLevel,
                                             SimulatedScanner::kVirtual};
   std::array<Totals, 3> totals_of;
+  std::array<Totals, 2> slipping_by;
   for (int run = 0; run < options.runs; ++run) {
     const auto seed = sim::mixSeed(options.seed, static_cast<std::uint64_t>(run));
     const auto kind = static_cast<std::size_t>(run % 3);
@@ -158,10 +168,11 @@ int evaluateSimulated(const EvalOptions& options) {
     line.text("scanner", recording.scan_names.front());
     describe(judgement, tracks, line);
     std::cout << line.str() << std::endl;
-    Totals& totals = totals_of[kind];
-    totals.raw.push_back(judgement.raw_begin.rms);
-    totals.corrected.push_back(judgement.corrected_begin.rms);
-    if (judgement.corrected_begin.rms < judgement.raw_begin.rms) ++totals.better;
+    totals_of[kind].add(judgement);
+    for (std::size_t i = 0; scanner == SimulatedScanner::kLevel && i < slipping_by.size(); ++i) {
+      const PoseRecording slipped = slipping(recording, kSlips[i]);
+      slipping_by[i].add(judge(slipped, replay(slipped, {}), true));
+    }
   }
   std::vector<Bar> bars = evaluateTour(options, *robot);
   JsonLine summary;
@@ -179,6 +190,12 @@ int evaluateSimulated(const EvalOptions& options) {
   add("laser", totals_of[0], kMostLaserShare);
   add("level_scan", totals_of[1], kMostLevelShare);
   add("virtual_scan", totals_of[2], kMostVirtualShare);
+  for (std::size_t i = 0; i < slipping_by.size() && !slipping_by[i].raw.empty(); ++i) {
+    const std::string name = "level_scan_slip_" + std::to_string(std::lround(100.0 * kSlips[i]));
+    add(name, slipping_by[i], kMostSlippingShare);
+    const auto worse = slipping_by[i].raw.size() - static_cast<std::size_t>(slipping_by[i].better);
+    bars.push_back({name + "_worse_runs", static_cast<double>(worse), 0.0, false});
+  }
   return report(bars, summary);
 }
 

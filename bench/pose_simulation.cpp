@@ -1,5 +1,6 @@
 #include "bench/pose_simulation.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -11,6 +12,7 @@
 #include "core/floor/level_scan.hpp"
 #include "core/floor/virtual_scan.hpp"
 #include "core/motion/motion_executor.hpp"
+#include "core/pose/pose_algebra.hpp"
 #include "doors/package_files.hpp"
 #include "nodelets/sim_robot.hpp"
 #include "sim/random_world.hpp"
@@ -172,6 +174,27 @@ PoseRecording simulateTour(const RobotDescription& robot, std::uint64_t seed,
   parameters.base = {};
   return Drive(robot, std::move(loaded->world), parameters, scanner)
       .run("tour", true, kTourSeconds);
+}
+
+PoseRecording slipping(PoseRecording recording, double share) {
+  auto& events = recording.events;
+  events.erase(std::remove_if(events.begin(), events.end(),
+                              [](const auto& e) { return std::holds_alternative<GyroEvent>(e); }),
+               events.end());
+  recording.gyro.clear();
+  std::optional<Pose2> before;
+  Pose2 counted;
+  for (auto& event : events) {
+    auto* odometry = std::get_if<OdometryEvent>(&event);
+    if (odometry == nullptr) continue;
+    if (!before) before = counted = odometry->T_odom_base;
+    const Pose2 step = relative(*before, odometry->T_odom_base);
+    const double scale = 1.0 + share;
+    before = odometry->T_odom_base;
+    counted = composed(counted, {scale * step.x, scale * step.y, scale * step.heading});
+    odometry->T_odom_base = counted;
+  }
+  return recording;
 }
 
 }  // namespace pilothouse::bench

@@ -24,4 +24,8 @@ PoseRecording simulatePose(const RobotDescription& robot, std::uint64_t seed,
 PoseRecording simulateTour(const RobotDescription& robot, std::uint64_t seed,
                            SimulatedScanner scanner);
 
+/// The same drive where the wheels count their way and turns too large by a share, and without the
+/// gyroscope.
+PoseRecording slipping(PoseRecording recording, double share);
+
 }  // namespace pilothouse::bench

@@ -157,7 +157,10 @@ class PoseNodelet : public testing::Test {
     }
   }
   std::string diagnostic(const std::string& task, const std::string& key) {
-    return diagnostics_[handle_.resolveName("pose_tracker").substr(1) + ": " + task][key];
+    return diagnostics_[taskOf(task)][key];
+  }
+  std::string taskOf(const std::string& task) const {
+    return handle_.resolveName("pose_tracker").substr(1) + ": " + task;
   }
 
   ros::NodeHandle handle_;
@@ -214,7 +217,10 @@ TEST_F(PoseNodelet, StaysNearerToTheTruthThanSlippingOdometry) {
   RecordProperty("raw_rms_mm", static_cast<int>(1e3 * raw));
   RecordProperty("corrected_rms_mm", static_cast<int>(1e3 * corrected));
   EXPECT_GT(raw, 0.1) << "it hardly slipped";
-  EXPECT_LT(corrected, 0.5 * raw);
+  std::string matches;
+  for (const auto& [key, value] : diagnostics_[taskOf("matches")])
+    matches += key + " " + value + "\n";
+  EXPECT_LT(corrected, 0.5 * raw) << matches;
 }
 
 TEST_F(PoseNodelet, GoesWhereItIsSetAndRefusesWhatCannotBe) {

@@ -2,8 +2,10 @@
 // jump.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "core/pose/pose_algebra.hpp"
 #include "core/pose/pose_tracker.hpp"
@@ -100,22 +102,86 @@ TEST(PoseTracker, RefusesABadMatchAndStaysWhereItWas) {
   EXPECT_EQ(tracker.correct(1.0, matchAt(near)), MatchVerdict::kAccepted) << "and takes a good one";
 }
 
-TEST(PoseTracker, BelievesManyMatchesThatAgreeAgainstOdometry) {
-  TrackerParameters parameters;
-  parameters.widen_after = 5;
-  PoseTracker tracker(parameters);
+/// A robot that stands, 50 times a second, and a laser with ten scans a second, for some seconds.
+/// @param match_at of the scan's index @return verdicts
+template <class MatchAt>
+std::vector<MatchVerdict> stand(PoseTracker& tracker, double from, double seconds,
+                                const MatchAt& match_at) {
+  std::vector<MatchVerdict> verdicts;
+  for (int i = 1; i <= static_cast<int>(50.0 * seconds); ++i) {
+    tracker.addOdometry(from + 0.02 * i, {1.0, 0.0, 0.0});
+    if (i % 5 == 0) verdicts.push_back(tracker.correct(from + 0.02 * i, match_at(i / 5)));
+  }
+  return verdicts;
+}
+
+std::ptrdiff_t relocations(const std::vector<MatchVerdict>& verdicts) {
+  return std::count(verdicts.begin(), verdicts.end(), MatchVerdict::kRelocated);
+}
+
+TEST(PoseTracker, BelievesWithinThreeSecondsThatSomebodyPushedIt) {
+  PoseTracker tracker({});
+  sim::Random random(4);
   driveStraight(tracker, 0.0, 1.0);
-  // Somebody pushed it half a metre aside.
-  for (int i = 0; i < 4; ++i) {
-    ASSERT_EQ(tracker.correct(1.0, matchAt({1.0, 0.5, 0.2})), MatchVerdict::kUnlikely);
+  const Pose2 pushed{1.2, 0.4, 0.3};
+  const auto verdicts = stand(tracker, 1.0, 3.0, [&](int) {
+    return matchAt({pushed.x + 0.01 * random.normal(), pushed.y + 0.01 * random.normal(),
+                    pushed.heading + 0.005 * random.normal()});
+  });
+  EXPECT_EQ(relocations(verdicts), 1);
+  EXPECT_EQ(verdicts.back(), MatchVerdict::kAccepted);
+  expectNear(tracker.newest().pose, pushed, 0.03);
+}
+
+TEST(PoseTracker, NeverBelievesWrongMatchesThatAreAloneOrFew) {
+  const Pose2 truth{1.0, 0.0, 0.0};
+  sim::Random random(6);
+  const auto anywhere = [&random] {
+    return matchAt(
+        {random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0)});
+  };
+  const auto run = [&truth](const auto& match_at) {
+    PoseTracker tracker({});
+    driveStraight(tracker, 0.0, 1.0);
+    EXPECT_EQ(relocations(stand(tracker, 1.0, 30.0, match_at)), 0);
+    expectNear(tracker.newest().pose, truth, 0.05);
+  };
+  // Each somewhere else.
+  run([&](int) { return anywhere(); });
+  // The same wrong one for more than a second and a half, again and again, with one right between.
+  run([&](int i) { return matchAt(i % 17 == 0 ? truth : Pose2{1.0, 0.5, 0.2}); });
+  // Half of them the same wrong one, the others anywhere.
+  run([&](int i) { return i % 2 == 0 ? anywhere() : matchAt({1.0, 0.5, 0.2}); });
+  // For good, but hardly half of the scan is found there.
+  run([&](int) {
+    ScanMatch match = matchAt({1.0, 0.5, 0.2});
+    match.overlap = 0.5;
+    return match;
+  });
+  // Seldom, however alike.
+  PoseTracker tracker({});
+  driveStraight(tracker, 0.0, 1.0);
+  for (int i = 1; i <= 2000; ++i) {
+    tracker.addOdometry(1.0 + 0.02 * i, truth);
+    if (i % 100 != 0) continue;
+    EXPECT_EQ(tracker.correct(1.0 + 0.02 * i, matchAt({1.0, 0.5, 0.2})), MatchVerdict::kUnlikely);
   }
-  // One that asks for something else does not count with them.
-  ASSERT_EQ(tracker.correct(1.0, matchAt({3.0, -0.5, 0.2})), MatchVerdict::kUnlikely);
-  for (int i = 0; i < 4; ++i) {
-    ASSERT_EQ(tracker.correct(1.0, matchAt({1.0, 0.5, 0.2})), MatchVerdict::kUnlikely);
+}
+
+TEST(PoseTracker, TrustsWheelsLessThatSlipAgainAndAgain) {
+  // They count half as much again; each match is off by what they slipped since the one before.
+  PoseTracker tracker({});
+  int accepted = 0, all = 0;
+  for (int i = 0; i <= 1000; ++i) {
+    const double stamp = 0.02 * i, way = 0.6 * stamp;
+    tracker.addOdometry(stamp, {1.5 * way, 0.0, 0.0});
+    if (i % 5 != 0 || i == 0) continue;
+    ++all;
+    if (tracker.correct(stamp, matchAt({way, 0.0, 0.0}, 0.003)) == MatchVerdict::kAccepted)
+      ++accepted;
   }
-  EXPECT_EQ(tracker.correct(1.0, matchAt({1.0, 0.5, 0.2})), MatchVerdict::kRelocated);
-  expectNear(tracker.newest().pose, {1.0, 0.5, 0.2}, 1e-9);
+  EXPECT_GT(accepted, all * 8 / 10);
+  EXPECT_NEAR(tracker.newest().pose.x, 12.0, 0.05);
 }
 
 TEST(PoseTracker, TakesAPoseSetByHand) {
@@ -223,7 +289,7 @@ TEST(TrackerParameters, NamesWhatIsOutOfRange) {
   TrackerParameters parameters;
   EXPECT_TRUE(validate(parameters).empty());
   parameters.gate = 0.0;
-  parameters.widen_after = 1;
+  parameters.widen_after = 0.0;
   const auto faults = validate(parameters);
   ASSERT_EQ(faults.size(), 2U);
   EXPECT_EQ(faults[0], "gate is 0, expected 1 to 1000");

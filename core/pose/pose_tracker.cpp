@@ -18,7 +18,14 @@ constexpr double kJump = 0.5;      // nor jumps so far, however long nothing cam
 constexpr double kStandingStill = 1e-5;  // a step so small is none [m, rad]
 constexpr double kFarthest = 1e5;        // of a pose in a map [m]
 constexpr double kConstant = 5.0;        // over so long a gyroscope's constant error is one [s]
-constexpr double kSameShift = 0.1;       // matches that ask for shifts so alike agree [m, rad]
+// Wheels that slip are wrong again and again: each match so surprising (squared Mahalanobis
+// distance; 1 right one in 100) makes odometry's variance larger, each other one less so.
+constexpr double kSurprise = 11.3, kDoubt = 2.0, kTrust = 0.9, kMostSlip = 25.0;
+// Before matches are believed against odometry: at least so many, none later than so after another
+// [s], and so much of each scan found in the map.
+constexpr int kFewestAgreeing = 10;
+constexpr double kLongestGap = 1.0, kSureOverlap = 0.6;
+constexpr double kSameShift = 0.1;  // matches that ask for shifts so alike agree [m, rad]
 const Eigen::Vector3d kFirstSpread(1e-3, 1e-3, 1e-3);
 
 bool isFinite(const PoseEstimate& e) {
@@ -70,8 +77,8 @@ PoseTracker::Step PoseTracker::stepTo(double stamp, const Pose2& T_odom_base) {
   Step step{relative(last.odom, T_odom_base), 0.0};
   const double way = step.delta.position().norm(), turn = std::abs(step.delta.heading);
   const bool still = way < kStandingStill && turn < kStandingStill;
-  const double wheels = parameters_.way_turn_error * parameters_.way_turn_error * way +
-                        parameters_.turn_error * parameters_.turn_error * turn;
+  const double wheels = slip_ * (parameters_.way_turn_error * parameters_.way_turn_error * way +
+                                 parameters_.turn_error * parameters_.turn_error * turn);
   step.turn_variance = wheels;
   if (still) {
     gyro_.stood(last.stamp, stamp);
@@ -100,8 +107,9 @@ Eigen::Matrix3d PoseTracker::grown(const Eigen::Matrix3d& covariance, const Pose
   if (length > 0.0) {
     const Eigen::Vector2d along = way / length, across(-along.y(), along.x());
     noise.topLeftCorner<2, 2>() =
-        length * (parameters_.way_error * parameters_.way_error * along * along.transpose() +
-                  parameters_.side_error * parameters_.side_error * across * across.transpose());
+        slip_ * length *
+        (parameters_.way_error * parameters_.way_error * along * along.transpose() +
+         parameters_.side_error * parameters_.side_error * across * across.transpose());
   }
   noise(2, 2) = turn_variance;
   return jacobian * covariance * jacobian.transpose() + noise;
@@ -249,14 +257,18 @@ std::optional<std::string> PoseTracker::setPose(const PoseEstimate& wanted) {
 bool PoseTracker::agreesWithRefused(const PoseEstimate& predicted, const ScanMatch& match) {
   const Pose2 shift = composed(match.pose, inverse(predicted.pose));
   const Eigen::Vector2d here = shift * predicted.pose.position();
-  const bool same = refused_ > 0 &&
+  const bool same = refused_ > 0 && std::abs(predicted.stamp - refused_last_) < kLongestGap &&
                     (refused_shift_ * predicted.pose.position() - here).norm() < kSameShift &&
                     std::abs(wrapped(shift.heading - refused_shift_.heading)) < kSameShift;
   if (!same) {
     refused_shift_ = shift;
+    refused_since_ = predicted.stamp;
     refused_ = 0;
   }
-  return ++refused_ >= parameters_.widen_after;
+  refused_last_ = predicted.stamp;
+  return ++refused_ >= kFewestAgreeing &&
+         predicted.stamp - refused_since_ >= parameters_.widen_after &&
+         match.overlap >= kSureOverlap;
 }
 
 MatchVerdict PoseTracker::judge(const PoseEstimate& predicted, const ScanMatch& match) {
@@ -270,6 +282,8 @@ MatchVerdict PoseTracker::judge(const PoseEstimate& predicted, const ScanMatch& 
   const Eigen::Vector3d innovation = differenceOf(match.pose, predicted.pose);
   const Eigen::LDLT<Eigen::Matrix3d> spread(predicted.covariance + match.covariance);
   last_distance_ = innovation.dot(spread.solve(innovation));
+  slip_ = last_distance_ > kSurprise ? std::min(kMostSlip, kDoubt * slip_)
+                                     : std::max(1.0, kTrust * slip_);
   if (last_distance_ >= 0.0 && last_distance_ <= parameters_.gate) return MatchVerdict::kAccepted;
   return agreesWithRefused(predicted, match) ? MatchVerdict::kRelocated : MatchVerdict::kUnlikely;
 }

@@ -32,7 +32,7 @@ enum class OdometryVerdict {
 
 enum class MatchVerdict {
   kAccepted,
-  kRelocated,  ///< accepted against odometry, since many matches in a row agree
+  kRelocated,  ///< accepted against odometry, since all matches have agreed for a while
   kNotFound,
   kPoorFit,
   kLittleOverlap,
@@ -104,6 +104,8 @@ class PoseTracker {
   std::optional<PoseEstimate> pending_;  ///< set before any odometry
   Pose2 refused_shift_;                  ///< T_map_new: what the first of the refused asks for
   int refused_ = 0;                      ///< in a row, agreeing
+  double refused_since_ = 0.0, refused_last_ = 0.0;  ///< stamps [s]
+  double slip_ = 1.0;  ///< odometry's variance is so many times what it should be
   double last_distance_ = 0.0;
   std::uint64_t epoch_ = 0;
 };

@@ -16,7 +16,7 @@ struct LocaliserParameters {
   double thin = 0.05;               ///< a scan keeps one point a square of this side [m]
   double keyframe_distance = 0.25;  ///< a scan enters the map after so much way [m]
   double keyframe_turn = 0.12;      ///< or turn [rad]
-  std::size_t fewest = 20;          ///< points, of a scan or map that says anything
+  std::size_t fewest = 10;          ///< points, of a scan or map that says anything
   PointMapParameters map;
 };
 

@@ -16,10 +16,10 @@ struct TrackerParameters {
   double max_rms = 0.1;  ///< of a match's distances from the map [m]
   double min_overlap = 0.4;  ///< share of a scan's points that must be found in the map
   double max_spread = 0.5;   ///< a match that leaves more than this open tells nothing [m, rad]
-  int widen_after = 100;  ///< so many matches in a row that agree, but not with odometry, are right
+  double widen_after = 2.0;  ///< matches that agree for so long against odometry are right [s]
 };
 
-/// Calls visit(key, value, low, high) for every number; widen_after is an int.
+/// Calls visit(key, value, low, high) for every number.
 template <class Parameters, class Visit>
 void forEachTrackerParameter(Parameters& p, Visit visit) {
   visit("way_error", p.way_error, 0.001, 1.0);
@@ -31,7 +31,7 @@ void forEachTrackerParameter(Parameters& p, Visit visit) {
   visit("max_rms", p.max_rms, 0.005, 1.0);
   visit("min_overlap", p.min_overlap, 0.05, 1.0);
   visit("max_spread", p.max_spread, 0.01, 100.0);
-  visit("widen_after", p.widen_after, 2, 1000);
+  visit("widen_after", p.widen_after, 0.2, 60.0);
 }
 
 /// Every fault, one line each naming key, value and range; empty when sound.
