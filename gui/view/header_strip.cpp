@@ -133,7 +133,8 @@ void HeaderStrip::paintEvent(QPaintEvent*) {
 }
 
 // From the right: drops, age with its state, rate; each right-aligned in a column of its own. Where
-// the strip is short the drops go first, then the rate: the age matters most.
+// the strip is short the drops go first, then the rate, and at last the age itself: its colour
+// stays.
 void HeaderStrip::paintFigures(QPainter& painter, int title_end) const {
   painter.setFont(theme::smallFont());
   const QFontMetrics metrics(theme::smallFont());
@@ -164,7 +165,7 @@ void HeaderStrip::paintFigures(QPainter& painter, int title_end) const {
     column(tr("%1 dropped").arg(countText(state_.drops)), drops,
            state_.drops > 0 ? theme::kText : theme::kMuted);
   }
-  column(tr("age %1").arg(ageText(state_.age_s)), age, colour);
+  if (room >= 0) column(tr("age %1").arg(ageText(state_.age_s)), age, colour);
   painter.setBrush(colour);
   painter.setPen(Qt::NoPen);
   painter.drawEllipse(QPointF(right + 2, height() * 0.5), 3.5, 3.5);

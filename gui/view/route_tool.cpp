@@ -239,11 +239,13 @@ AimWords RouteTool::words() {
     words.severity = Severity::kWarning;
     const std::size_t to = *ways.blocked;
     words.headline += ". No way" + (to > 0 ? " from point " + std::to_string(to) : std::string()) +
-                      " to point " + std::to_string(to % count + 1) + ": " + ways_.legTo(to)->why;
+                      " to point " + std::to_string(to % count + 1);
   }
   if (!fault.empty()) words.headline = fault;
-  words.advice = selected_ ? "Arrows or a drag move it, , . turn it, Delete removes it; Enter sends"
-                           : "[ and ] choose a point, a click on a leg inserts one; Enter sends";
+  words.advice = ways.blocked ? ways_.legTo(*ways.blocked)->why + "; Enter sends it all the same"
+                 : selected_
+                     ? "Arrows or a drag move it, , . turn it, Delete removes it; Enter sends"
+                     : "[ and ] choose a point, a click on a leg inserts one; Enter sends";
   return words;
 }
 

@@ -89,6 +89,7 @@ class MapPanel : public Panel {
     judged_ = filtered != names.end() && objects.ever && objects.topic == filtered->second;
     canvas_->setJudged(judged_);
     if (!chosen_ && !placeShown() && navigates()) showPlace(true);
+    if (view_switch_->isHidden() && context().state.place.map.latest()) arrangeControls();
     switch_->show(context().state.floor_settings.get(), now);
     const FeedState state = context().state.floor.state(now);
     strip_->show(placeShown() ? poseState(now) : state);
@@ -147,11 +148,20 @@ class MapPanel : public Panel {
     place_->controls()->setVisible(place);
     robot_button_->setChecked(!place);
     place_button_->setChecked(place);
-    strip_->controlChanged(place);
+    arrangeControls();
+  }
+
+  /// Without a map there is nothing to switch to, and its room is wanted for other things.
+  void arrangeControls() {
+    const bool switchable = placeShown() || context().state.place.map.latest() != nullptr;
+    view_switch_->setVisible(switchable);
+    strip_->controlChanged(switchable);
   }
 
   void addViewSwitch(QHBoxLayout* row) {
-    auto* both = new QHBoxLayout;
+    view_switch_ = new QWidget;
+    auto* both = new QHBoxLayout(view_switch_);
+    both->setContentsMargins(0, 0, 0, 0);
     both->setSpacing(0);
     const auto add = [&](QToolButton* button, const QString& text, const char* end, bool place) {
       button->setText(text);
@@ -164,7 +174,7 @@ class MapPanel : public Panel {
     };
     add(robot_button_, tr("Robot"), "left", false);
     add(place_button_, tr("Map"), "right", true);
-    row->addLayout(both);
+    row->addWidget(view_switch_);
   }
 
   void addMoves() {
@@ -240,7 +250,7 @@ class MapPanel : public Panel {
   PlaceView* place_;
   QToolButton *robot_button_, *place_button_;
   QStackedLayout* pages_ = nullptr;
-  QWidget* robot_controls_ = nullptr;
+  QWidget *robot_controls_ = nullptr, *view_switch_ = nullptr;
   bool judged_ = false, chosen_ = false;
   FloorSwitch* switch_;
   QToolButton* heights_;
