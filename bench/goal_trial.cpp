@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <deque>
 #include <utility>
 
 #include "bench/drive_loop.hpp"
@@ -13,6 +14,7 @@ namespace {
 
 constexpr double kMoving = 0.01;     // [m/s]
 constexpr double kTrailStep = 0.02;  // [m]
+constexpr double kOrderDelay = 0.1;  // from when an order is made until the executor has it [s]
 
 ExecutorReport reportOf(const DriveStep& step) {
   ExecutorReport report;
@@ -76,6 +78,7 @@ class GoalRun {
       step_ = loop_.step();
       result_.driven += step_.twist.linear() * (step_.time - last_);
       last_ = step_.time;
+      deliver();
       // At first the camera is still waking up.
       if (loop_.floor() != nullptr && tick % 2 == 0) navigate();
     }
@@ -105,6 +108,11 @@ class GoalRun {
     parameters.simulation.seed = task.seed;
     return parameters;
   }
+  void deliver() {
+    for (; !orders_.empty() && orders_.front().first <= step_.time + 1e-9; orders_.pop_front()) {
+      bench::drive(loop_, orders_.front().second);
+    }
+  }
   void navigate() {
     planner_.mark(marksOf(loop_.surroundings(), step_.pose));
     NavigationInput input;
@@ -117,7 +125,7 @@ class GoalRun {
     result_.longest_thought = std::max(result_.longest_thought, thinking.count());
     status_ = output.status;
     note(status_, step_, step_.time - asked_, result_.record);
-    if (output.order) bench::drive(loop_, *output.order);
+    if (output.order) orders_.emplace_back(step_.time + kOrderDelay, *output.order);
     if (result_.planned == 0.0) result_.planned = status_.distance_left.value_or(0.0);
   }
 
@@ -128,6 +136,7 @@ class GoalRun {
   double asked_, last_;  ///< [s]
   DriveStep step_;
   NavigationStatus status_;
+  std::deque<std::pair<double, DriveOrder>> orders_;  ///< on their way, and when they come [s]
 };
 
 }  // namespace

@@ -132,6 +132,82 @@ TEST_P(EachBase, StopsAtTheEndWithoutOvershoot) {
   EXPECT_GT(done.fastest, 0.9 * std::min(base_.max_speed, parameters().limits.max_speed));
 }
 
+/// Drives at top speed; a new route is made for where it is then and comes `delay` later.
+/// @return how long it took from when the new route was made [s].
+double driveOnWithLateOrder(MotionExecutor& executor, const BaseParameters& base, double delay,
+                            double bend) {
+  SimulatedBase robot(base, {});
+  executor.drive({{0, 0}, {6, 0}}, std::nullopt, false, robot.pose());
+  const Vector2d along(std::cos(bend), std::sin(bend));
+  Points route;
+  double made = 0.0, farthest = -kInfinity, back = 0.0;
+  bool sent = false;
+  ExecutorOutput output;
+  for (double now = 0.0; now < 90.0; now += kStep) {
+    if (route.empty() && robot.pose().x > 1.5) {
+      made = now;
+      for (int i = 0; i < 6; ++i) route.push_back(robot.pose().position() + 0.8 * i * along);
+    }
+    if (!route.empty() && !sent && now >= made + delay - 1e-9) {
+      executor.drive(route, std::nullopt, false, robot.pose());
+      sent = true;
+    }
+    ExecutorInput input;
+    input.now = now;
+    input.pose = robot.pose();
+    output = executor.step(input);
+    robot.step(output.wanted);
+    const double on = robot.pose().position().dot(along);
+    farthest = std::max(farthest, on);
+    back = std::max(back, farthest - on);
+    if (sent && output.state == ExecutorState::kReached) {
+      EXPECT_LE((robot.pose().position() - route.back()).norm(), 0.05);
+      EXPECT_LE(back, 0.01) << "at a delay of " << delay << " s";
+      return now - made;
+    }
+  }
+  ADD_FAILURE() << "not reached at a delay of " << delay << " s";
+  return kInfinity;
+}
+
+TEST_P(EachBase, ARouteThatComesLateDoesNotSendItBack) {
+  for (const double bend : {0.0, 0.3}) {
+    MotionExecutor executor(parameters(), base_);
+    const double at_once = driveOnWithLateOrder(executor, base_, 0.0, bend);
+    for (double delay = 0.05; delay < 0.41; delay += 0.05) {
+      const double late = driveOnWithLateOrder(executor, base_, delay, bend);
+      EXPECT_LE(late, at_once + delay + 0.1) << "at a delay of " << delay << " s";
+    }
+  }
+}
+
+TEST_P(EachBase, ARouteThatComesBackToItsBeginningIsNotCutShortThere) {
+  MotionExecutor executor(parameters(), base_);
+  // It is nearer to the leg back than to the one there.
+  SimulatedBase robot(base_, {0.1, 0.03, 0.0});
+  const Points there_and_back{{0, 0}, {0.3, 0}, {0, 0.04}, {-0.5, 0.04}};
+  const Drive first = drive(executor, robot, base_, there_and_back, std::nullopt, 120.0);
+  ASSERT_EQ(first.last.state, ExecutorState::kReached);
+  EXPECT_LE(first.passed({0.3, 0}), 0.05);
+  // Its beginning is crossed once more, later.
+  SimulatedBase other(base_, {0.3, 0.0, 0.0});
+  const Points eight{{0, 0}, {2, 0}, {2, 1}, {0.3, 1}, {0.3, -1}};
+  const Drive second = drive(executor, other, base_, eight, std::nullopt, 120.0);
+  ASSERT_EQ(second.last.state, ExecutorState::kReached);
+  for (std::size_t i = 1; i < eight.size(); ++i) EXPECT_LE(second.passed(eight[i]), 0.15);
+  for (const auto& pose : second.track) EXPECT_GE(pose.x, 0.15);
+}
+
+TEST_P(EachBase, ARouteThatBeginsElsewhereIsDrivenFromItsFirstPoint) {
+  for (const Pose2 start : {Pose2{0.8, 0.0, 0.0}, Pose2{0.2, 0.3, 0.0}, Pose2{-0.4, 0.0, 0.0}}) {
+    MotionExecutor executor(parameters(), base_);
+    SimulatedBase robot(base_, start);
+    const Drive done = drive(executor, robot, base_, {{0, 0}, {2, 0}}, std::nullopt, 120.0);
+    ASSERT_EQ(done.last.state, ExecutorState::kReached);
+    EXPECT_LE(done.passed({0, 0}), 0.15) << start.x << " " << start.y;
+  }
+}
+
 TEST_P(EachBase, AFigureOfEightIsDrivenWholeAtItsCrossing) {
   MotionExecutor executor(parameters(), base_);
   SimulatedBase robot(base_, {});

@@ -13,7 +13,9 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kNear = 0.05;       // a first point nearer than this is where it stands [m]
+constexpr double kNear = 0.05;       // a single point nearer than this is where it stands [m]
+constexpr double kBeside = 0.1;      // nearer than this to a route's beginning it is on it [m] ...
+constexpr double kLate = 0.5;        // ... which is so long [m]
 constexpr double kWindow = 0.5;      // progress is sought so far along the way [m]
 constexpr double kAtStop = 0.01;     // so near a stop it has arrived [m]
 constexpr double kTrailStep = 0.02;  // [m]
@@ -78,13 +80,26 @@ void MotionExecutor::cancel() {
   points_ = 0;
 }
 
+/// A route is planned from where the robot was; until it comes the robot has moved on. To go to the
+/// first point would be to turn round: it begins where the robot is along it. Not beyond a place at
+/// which it must stop: a leg that comes back there would be taken for the one that leads there.
 void MotionExecutor::layOut(const std::vector<Vector2d>& points, bool loop, const Pose2& pose) {
-  std::vector<Vector2d> all;
-  first_target_ = (points.front() - pose.position()).norm() > kNear ? 1 : 0;
-  if (first_target_ == 1) all.push_back(pose.position());
-  all.insert(all.end(), points.begin(), points.end());
-  route_ = Route(all, parameters_.corners, loop ? first_target_ : Route::kNoLoop);
+  const Vector2d place = pose.position();
+  first_target_ = 0;
+  route_ = Route(points, parameters_.corners, loop ? 0 : Route::kNoLoop);
   way_ = passed_ = 0.0;
+  if (route_.empty()) {
+    if ((points.front() - place).norm() <= kNear) return;
+  } else {
+    const auto foot = route_.nearest(place, 0.0, std::min(kLate, route_.stopAfter(0.0)));
+    way_ = foot.way;
+    if (foot.distance <= kBeside) return;
+  }
+  std::vector<Vector2d> all = {place};
+  all.insert(all.end(), points.begin(), points.end());
+  first_target_ = 1;
+  route_ = Route(all, parameters_.corners, loop ? first_target_ : Route::kNoLoop);
+  way_ = 0.0;
 }
 
 void MotionExecutor::drive(const std::vector<Vector2d>& points, std::optional<double> heading,

@@ -80,7 +80,9 @@ class MotionExecutor {
   /// @throws std::invalid_argument listing every fault of the parameters.
   MotionExecutor(const ExecutorParameters& parameters, const BaseParameters& base);
 
-  /// From where it stands to the first point, then from point to point. None: cancels.
+  /// From where it stands to the first point, then from point to point. None: cancels. Where it is
+  /// within 10 cm of the route's first half metre it begins there: the robot drove on while the
+  /// route was on its way.
   /// @param heading at the end; none: as it comes. Not looked at when `loop`.
   /// @param loop after the last point the first again, over and over.
   void drive(const std::vector<Eigen::Vector2d>& points, std::optional<double> heading, bool loop,
