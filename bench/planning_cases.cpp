@@ -13,6 +13,7 @@ namespace pilothouse::bench {
 namespace {
 
 constexpr double kFrameMs = 1000.0 / 30.0;  // a way that is blocked must be planned anew within
+constexpr double kSaidMs = 1000.0;          // that there is no way must be said within
 constexpr double kOfDijkstra = 0.5;         // a map of 1000^2 taken and planned over
 constexpr double kGrowth = 10.0;            // 4000^2 cells over 1000^2, a cell
 constexpr int kFreeCorner = 40;             // [cells]
@@ -186,6 +187,13 @@ struct Taken {
   }
 };
 
+/// A wall without a door right through the middle: half of the map is searched in vain.
+MapCells parted(int side) {
+  MapCells map = furnished(side, 3);
+  fill(map, side / 2, 0, side / 2 + 3, side, MapCell::kOccupied);
+  return map;
+}
+
 std::string named(const std::string& what, int side) {
   return what + ", " + std::to_string(side) + "^2";
 }
@@ -199,8 +207,8 @@ double medianOf(const std::vector<TimedCase>& cases, const std::string& name) {
 
 /// Each runs once before it is timed: all with caches as warm as they can be.
 void add(std::vector<TimedCase>& cases, const std::string& name, bool slow,
-         const std::function<void()>& work) {
-  cases.push_back({name, work, work, slow, std::nullopt, {}});
+         const std::function<void()>& work, const std::optional<double>& limit = std::nullopt) {
+  cases.push_back({name, work, work, slow, limit, {}});
 }
 
 /// What is planned anew differs each time that it is timed, whatever warms the caches.
@@ -221,6 +229,10 @@ void addPlanningCases(std::vector<TimedCase>& cases) {
     const auto inside = std::make_shared<Ground>(rooms(side));
     add(cases, named("planner: map taken", side), large, [taken] { taken->other(); });
     add(cases, named("planner: way", side), large, [aimed] { aimed->plan(); });
+    const auto apart = std::make_shared<Ground>(furnished(side, 3));
+    apart->planner.setMap(parted(side));
+    add(
+        cases, named("planner: no way, and why", side), large, [apart] { apart->plan(); }, kSaidMs);
     if (!large) {
       add(cases, named("textbook Dijkstra", side), true, [aimed] { aimed->planTextbook(); });
     }

@@ -195,6 +195,20 @@ TEST(Planner, SaysWhyThereIsNoWayAndHowFarItCanGo) {
   EXPECT_EQ(never.plan(from(1.0, 1.5, 3.0, 1.5)).why, NoWay::kGoalUnknown);
 }
 
+TEST(Planner, SaysTheSameReasonBothWays) {
+  // Shut in, or shut out: the lesser side is looked at first, whichever that is.
+  for (const MapCell kind : {MapCell::kOccupied, MapCell::kDropOff}) {
+    MapRoom room(120, 60);
+    room.fill(1, 1, 42, 42, kind);
+    room.fill(1, 1, 30, 30, MapCell::kFree);
+    Planner planner = roundPlanner();
+    planner.setMap(room.map);
+    const NoWay out = planner.plan(from(0.8, 0.8, 5.0, 2.0)).why;
+    EXPECT_EQ(out, kind == MapCell::kOccupied ? NoWay::kWalledOff : NoWay::kOnlyOverDropOff);
+    EXPECT_EQ(planner.plan(from(5.0, 2.0, 0.8, 0.8)).why, out);
+  }
+}
+
 TEST(Planner, RefusesEndsThatCannotBe) {
   Planner planner = roundPlanner();
   EXPECT_EQ(planner.plan(from(1.0, 1.0, 2.0, 2.0)).why, NoWay::kNoMap);

@@ -87,8 +87,8 @@ const char* textOf(NoWay why) {
   return "?";
 }
 
-/// Spreads from the start over all that a little evil opens, then over what the next one does.
-NoWay whatParts(const MapCells& map, const CostField& field, const Cell& start, const Cell& goal) {
+/// Spreads over all that a little evil opens, then over what the next one does.
+NoWay whatParts(const MapCells& map, const CostField& field, const Cell& from, const Reach& to) {
   std::array<std::vector<Cell>, kEvils> waiting;
   std::vector<std::uint8_t> seen(map.cells.size(), 0);
   const auto meet = [&](const Cell& cell, int worst) {
@@ -97,13 +97,13 @@ NoWay whatParts(const MapCells& map, const CostField& field, const Cell& start, 
     const int evil = evilOf(map, field, cell);
     waiting[static_cast<std::size_t>(evil > worst ? evil : worst)].push_back(cell);
   };
-  meet(start, 0);
+  meet(from, 0);
   for (int worst = 0; worst < kEvils; ++worst) {
     auto& cells = waiting[static_cast<std::size_t>(worst)];
     while (!cells.empty()) {
       const Cell cell = cells.back();
       cells.pop_back();
-      if (cell == goal) return reasonOf(static_cast<Evil>(worst));
+      if (to.holds(field, cell)) return reasonOf(static_cast<Evil>(worst));
       meet({cell.x + 1, cell.y}, worst);
       meet({cell.x - 1, cell.y}, worst);
       meet({cell.x, cell.y + 1}, worst);

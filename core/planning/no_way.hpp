@@ -4,7 +4,7 @@
 
 #include "core/mapping/map_cells.hpp"
 #include "core/planning/cost_field.hpp"
-#include "core/planning/grid_search.hpp"
+#include "core/planning/reach.hpp"
 
 namespace pilothouse {
 
@@ -30,8 +30,9 @@ enum class NoWay {
 /// In words, for a person: what and why.
 const char* textOf(NoWay why);
 
-/// What keeps start and goal apart in a map whose search found no way: the least of the evils that
-/// a way would have to pass, in the order unknown floor, narrow places, drop-offs, things.
-NoWay whatParts(const MapCells& map, const CostField& field, const Cell& start, const Cell& goal);
+/// What keeps one cell from others in a map whose search found no way: the least of the evils that
+/// a way would have to pass, in the order unknown floor, narrow places, drop-offs, things. It is
+/// the same both ways; quicker from where less can be reached.
+NoWay whatParts(const MapCells& map, const CostField& field, const Cell& from, const Reach& to);
 
 }  // namespace pilothouse

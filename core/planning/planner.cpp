@@ -16,6 +16,7 @@ constexpr double kCorner = 0.3;   // a corner is led round by points so far befo
 constexpr double kShortestLeg = 0.1;    // legs beside a corner are not made shorter [m]
 constexpr double kNearCorner = 0.6;     // touching farther from a corner is not its fault [m]
 constexpr double kFarthestGoal = 50.0;  // from the map's middle [m]
+constexpr std::size_t kShutIn = 50000;  // cells, 125 m^2: a robot may be shut in there
 constexpr int kEscapeWeight = 2 * CostField::kPlain;
 
 const PlanningParameters& checked(const PlanningParameters& parameters) {
@@ -194,6 +195,9 @@ void Planner::putPoses(const PlanRequest& request, Plan& plan) const {
 
 /// @return why it found none.
 NoWay Planner::search(const PlanRequest& request, const PlanEnds& ends, Plan& plan) {
+  // Shut in, the robot need not wait until all that the goal can reach was searched.
+  const bool shut_in = reach_.spread(field_, ends.start, kShutIn);
+  if (shut_in && !reach_.holds(field_, ends.goal)) return NoWay::kWalledOff;
   std::optional<Pose2> touch;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     const bool found = search_.find(field_, ends.start, ends.goal).has_value();
@@ -227,6 +231,13 @@ void Planner::coverGoal(const Vector2d& goal) {
   if (!map.contains(map.column(goal.x()), map.row(goal.y()))) map_.cover(goal, field_);
 }
 
+/// What lies between what start and goal can reach, looked for from the lesser side.
+NoWay Planner::parts(const PlanEnds& ends) {
+  goal_reach_.spread(field_, ends.goal);
+  return reach_.count() < goal_reach_.count() ? whatParts(map(), field_, ends.start, goal_reach_)
+                                              : whatParts(map(), field_, ends.goal, reach_);
+}
+
 Plan Planner::plan(const PlanRequest& request) {
   Plan plan;
   coverGoal(request.goal);
@@ -251,7 +262,7 @@ Plan Planner::plan(const PlanRequest& request) {
   }
   fail(plan.why, request, ends, plan);
   restore();
-  if (plan.why == NoWay::kWalledOff) plan.why = whatParts(map(), field_, ends.start, ends.goal);
+  if (plan.why == NoWay::kWalledOff) plan.why = parts(ends);
   plan.length = plan.cost = 0.0;
   return plan;
 }

@@ -62,6 +62,7 @@ class Planner {
   NoWay search(const PlanRequest& request, const PlanEnds& ends, Plan& plan);
   void coverGoal(const Eigen::Vector2d& goal);
   void openRound(const Pose2& start);
+  NoWay parts(const PlanEnds& ends);
   void fail(NoWay why, const PlanRequest& request, const PlanEnds& ends, Plan& plan);
   void lay(const PlanRequest& request, const PlanEnds& ends, Plan& plan);
   std::optional<Pose2> touchOf(const PlanRequest& request, Plan& plan);
@@ -78,7 +79,7 @@ class Planner {
   CostField field_;
   MarkedMap map_;
   GridSearch search_;
-  Reach reach_;
+  Reach reach_, goal_reach_;  ///< of start and goal, where there is no way
   PathSmoother smoother_;
   std::vector<Cell> cells_;
   std::vector<GridPoint> grid_points_;
