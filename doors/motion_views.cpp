@@ -8,6 +8,8 @@ namespace {
 
 constexpr double kFarthest = 1e4;  // [m]
 constexpr std::size_t kMostPoints = 1000;
+constexpr std::size_t kFewestOfLoop = 4;
+constexpr double kClosed = 1e-3;            // ends nearer than this make a loop [m]
 constexpr std::uint32_t kMostCells = 4096;  // a side
 
 bool isPlace(double x, double y) {
@@ -144,7 +146,8 @@ Checked<RouteWish> openRoute(const nav_msgs::Path& path) {
     wish.points.emplace_back(place.x, place.y);
   }
   if (wish.points.empty()) return Result::of(wish);
-  wish.loop = wish.points.size() >= 4 && (wish.points.front() - wish.points.back()).norm() < 1e-3;
+  wish.loop = wish.points.size() >= kFewestOfLoop &&
+              (wish.points.front() - wish.points.back()).norm() < kClosed;
   if (wish.loop) wish.points.pop_back();
   const auto& end = path.poses.back().pose.orientation;
   if (end.x == 0.0 && end.y == 0.0 && end.z == 0.0 && end.w == 0.0) return Result::of(wish);
@@ -152,6 +155,20 @@ Checked<RouteWish> openRoute(const nav_msgs::Path& path) {
   if (std::isfinite(*wish.heading)) return Result::of(wish);
   return Result::refused("orientation at the end is " + asText(end) +
                          ", expected a unit quaternion, or zeros for none");
+}
+
+void keepOpen(nav_msgs::Path& path) {
+  if (path.poses.size() < kFewestOfLoop) return;
+  const auto placeOf = [](const geometry_msgs::PoseStamped& pose) {
+    return Eigen::Vector2d(pose.pose.position.x, pose.pose.position.y);
+  };
+  const Eigen::Vector2d last = placeOf(path.poses.back());
+  if (!((placeOf(path.poses.front()) - last).norm() < kClosed)) return;
+  // Back along the last leg: it came free there.
+  const Eigen::Vector2d back = placeOf(path.poses[path.poses.size() - 2]) - last;
+  const Eigen::Vector2d direction = back.norm() > 0.0 ? back.normalized() : Eigen::Vector2d(1, 0);
+  path.poses.back().pose.position.x += 3.0 * kClosed * direction.x();
+  path.poses.back().pose.position.y += 3.0 * kClosed * direction.y();
 }
 
 }  // namespace pilothouse

@@ -44,5 +44,8 @@ struct RouteWish {
 /// At most 1,000 poses within 10 km; orientations other than the last are not looked at, and one of
 /// zeros means none.
 Checked<RouteWish> openRoute(const nav_msgs::Path& path);
+/// For a route that only happens to end where it begins: its last pose is moved 3 mm back, and
+/// openRoute() takes it for no loop.
+void keepOpen(nav_msgs::Path& path);
 
 }  // namespace pilothouse

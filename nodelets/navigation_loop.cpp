@@ -7,6 +7,7 @@
 
 #include "doors/goal_views.hpp"
 #include "doors/map_views.hpp"
+#include "doors/motion_views.hpp"
 #include "doors/steady_clock.hpp"
 
 namespace pilothouse {
@@ -176,17 +177,19 @@ const TaskerOutput& NavigationLoop::step() {
   navigation.halted = stopped_ && now - stop_at_ < kStopFresh;
   input_.hand = now - hand_at_ < kHandFresh;
   output_ = tasker_.step(input_);
-  if (output_.order) {
-    const DriveOrder& order = *output_.order;
-    nav_msgs::Path route = toPath(settings_.map_frame, order.poses, order.heading.has_value());
-    if (order.heading && !route.poses.empty()) {
-      route.poses.back().pose.orientation.z = std::sin(0.5 * *order.heading);
-      route.poses.back().pose.orientation.w = std::cos(0.5 * *order.heading);
-    }
-    route_.publish(route);
-  }
+  if (output_.order) send(*output_.order);
   publish();
   return output_;
+}
+
+void NavigationLoop::send(const DriveOrder& order) {
+  nav_msgs::Path route = toPath(settings_.map_frame, order.poses, order.heading.has_value());
+  if (order.heading && !route.poses.empty()) {
+    route.poses.back().pose.orientation.z = std::sin(0.5 * *order.heading);
+    route.poses.back().pose.orientation.w = std::cos(0.5 * *order.heading);
+  }
+  keepOpen(route);
+  route_.publish(route);
 }
 
 void NavigationLoop::publish() {

@@ -62,6 +62,7 @@ class NavigationLoop {
   Checked<std::uint32_t> submit(const Wish& wish);
   Checked<std::uint32_t> refuse(const std::string& reason);
   void look(double now);
+  void send(const DriveOrder& order);
   void publish();
 
   NavigatorSettings settings_;
