@@ -92,6 +92,7 @@ class MotionExecutorNodelet : public nodelet::Nodelet {
     }
     unsaid_ = kSaidEvery;  // the next step says what became of it
     refusal_ = fault;
+    route_stamp_ = path.header.stamp;
     if (!fault.empty()) {
       // Whoever sent it means the robot to leave the route before, and would not know where it is.
       executor_->cancel();
@@ -149,6 +150,7 @@ class MotionExecutorNodelet : public nodelet::Nodelet {
     RouteState message;
     message.header.stamp = ros::Time::now();
     message.header.frame_id = frame_;
+    message.route = route_stamp_;
     message.state = static_cast<std::uint8_t>(output.state);
     message.target = static_cast<std::uint32_t>(output.target);
     message.points = static_cast<std::uint32_t>(points_);
@@ -174,7 +176,8 @@ class MotionExecutorNodelet : public nodelet::Nodelet {
   std::size_t points_ = 0;
   double busy_until_ = -1.0;
   int unsaid_ = 0;
-  std::string refusal_;  ///< why the newest route was not taken: said until another comes
+  ros::Time route_stamp_;  ///< of the newest, taken or refused
+  std::string refusal_;    ///< why the newest route was not taken: said until another comes
   InputHealth odometry_health_{"odom", 1.0}, route_health_{"route", 1e9};
   InputHealth limit_health_{"speed_limit", 1.0}, stop_health_{"stop_state", 1e9};
   ros::Publisher command_, state_;

@@ -57,7 +57,7 @@ std::string NavigationLoop::take(const ObjectList& objects) {
 }
 
 std::string NavigationLoop::take(const RouteState& state) {
-  input_.navigation.executor = reportOf(state);
+  input_.navigation.executor = reportOf(state, ordered_);
   return {};
 }
 
@@ -189,6 +189,10 @@ void NavigationLoop::send(const DriveOrder& order) {
     route.poses.back().pose.orientation.w = std::cos(0.5 * *order.heading);
   }
   keepOpen(route);
+  // A clock that stands would give two routes one stamp, by which the executor's reports tell them.
+  if (route.header.stamp == ordered_) route.header.stamp += ros::Duration(0, 1);
+  ordered_ = route.header.stamp;
+  input_.navigation.executor = ExecutorReport();
   route_.publish(route);
 }
 

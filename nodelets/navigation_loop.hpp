@@ -71,6 +71,7 @@ class NavigationLoop {
   BasePose pose_;
   TaskInput input_;
   TaskerOutput output_;
+  ros::Time ordered_;  ///< stamp of the newest route
   ObjectList objects_;
   double objects_at_ = -1e9, hand_at_ = -1e9, stop_at_ = -1e9;  ///< steady clock [s]
   bool stopped_ = false;

@@ -72,8 +72,10 @@ TaskState toMessage(const TaskerOutput& output, const std::string& refused) {
   return message;
 }
 
-ExecutorReport reportOf(const RouteState& state) {
+ExecutorReport reportOf(const RouteState& state, const ros::Time& ordered) {
   ExecutorReport report;
+  const bool never = state.state == RouteState::IDLE && state.route.isZero();
+  if (state.route != ordered && !never) return report;
   switch (state.state) {
     case RouteState::IDLE:
       report.state = ExecutorReport::kIdle;

@@ -19,7 +19,9 @@ nav_msgs::Path toPath(const std::string& frame, const std::vector<Pose2>& poses,
 
 NavigationState toMessage(const std::string& frame, const BehaviourReport& report);
 TaskState toMessage(const TaskerOutput& output, const std::string& refused);
-ExecutorReport reportOf(const RouteState& state);
+/// A report on another route than the one ordered last is none; of an executor that was given no
+/// route yet, that it is idle is true of any.
+ExecutorReport reportOf(const RouteState& state, const ros::Time& ordered);
 
 /// What the camera sees, as marks on the map. A ranger's objects are where its echo may have come
 /// from: reason to be careful there, but no place to plan round. @param T_map_base when it was

@@ -114,6 +114,7 @@ class MotionHarness {
   void drive(const std::vector<std::pair<double, double>>& points, const std::string& frame) {
     nav_msgs::Path path;
     path.header.frame_id = frame;
+    path.header.stamp = route_stamp;
     for (const auto& [px, py] : points) {
       path.poses.emplace_back();
       path.poses.back().pose.position.x = px;
@@ -138,6 +139,7 @@ class MotionHarness {
   bool camera = true, wheels = true;
   std::string odom_frame = "odom", base_frame = "base_link";  ///< of the odometry
   bool localised = false;  ///< somebody says where the robot is in the frame hall
+  ros::Time route_stamp;   ///< of the routes that are sent
   SpeedLimit limit;
   geometry_msgs::TwistStamped limited, wanted;
   RouteState route_state;
@@ -335,6 +337,26 @@ TEST(ExecutorNodelet, StandsWhenItRefusesARouteOnTheWayAndGoesOnSayingSo) {
       5.0))
       << said;
   EXPECT_TRUE(robot.runUntil(drives)) << "a good route drives again";
+}
+
+TEST(ExecutorNodelet, SaysOfWhichRouteItSpeaks) {
+  MotionHarness robot;
+  ASSERT_TRUE(robot.load("executor", "MotionExecutor"));
+  ASSERT_TRUE(robot.runUntil([&] { return robot.route_state.state == RouteState::IDLE; }));
+  EXPECT_TRUE(robot.route_state.route.isZero());
+  const auto says = [&](double stamp, std::uint8_t state,
+                        const std::vector<std::pair<double, double>>& points,
+                        const std::string& frame) {
+    robot.route_stamp = ros::Time(stamp);
+    return robot.runUntil([&] {
+      robot.drive(points, frame);
+      return robot.route_state.state == state && robot.route_state.route == ros::Time(stamp);
+    });
+  };
+  EXPECT_TRUE(says(3.5, RouteState::DRIVING, {{2.0, 0.0}}, "odom"));
+  EXPECT_TRUE(says(4.5, RouteState::REFUSED, {{2.0, 0.0}}, "moon"));
+  EXPECT_TRUE(says(5.5, RouteState::REACHED, {{0.0, 0.0}}, "odom"));
+  EXPECT_TRUE(says(6.5, RouteState::IDLE, {}, "odom"));
 }
 
 /// A robot that drives in a frame, whose pose then falls silent: it waits, and says why.

@@ -1,4 +1,4 @@
-// Routes that only happen to end where they begin.
+// Routes that only happen to end where they begin, and which route the executor speaks of.
 #include <gtest/gtest.h>
 
 #include "doors/motion_views.hpp"
@@ -42,6 +42,34 @@ TEST(RouteMessages, OtherRoutesStayAsTheyAre) {
     keepOpen(path);
     EXPECT_EQ(path, before);
   }
+}
+
+TEST(RouteMessages, AReportOnAnotherRouteIsNone) {
+  RouteState state;
+  state.header.stamp = ros::Time(20.0);
+  state.text = "said";
+  const ros::Time ordered(10.0);
+  for (const std::uint8_t said : {RouteState::DRIVING, RouteState::WAITING, RouteState::REACHED,
+                                  RouteState::REFUSED, RouteState::IDLE}) {
+    state.state = said;
+    state.route = ros::Time(9.0);
+    EXPECT_EQ(reportOf(state, ordered).state, ExecutorReport::kNone) << int{said};
+    state.route = ordered;
+    const ExecutorReport report = reportOf(state, ordered);
+    EXPECT_NE(report.state, ExecutorReport::kNone) << int{said};
+    EXPECT_EQ(report.stamp, 20.0);
+    EXPECT_EQ(report.text, "said");
+  }
+  state.state = RouteState::REACHED;
+  EXPECT_EQ(reportOf(state, ordered).state, ExecutorReport::kReached);
+}
+
+TEST(RouteMessages, AnExecutorThatWasStartedAfreshIsHeardToHaveNoRoute) {
+  RouteState state;
+  state.state = RouteState::IDLE;
+  EXPECT_EQ(reportOf(state, ros::Time(10.0)).state, ExecutorReport::kIdle);
+  state.state = RouteState::REACHED;
+  EXPECT_EQ(reportOf(state, ros::Time(10.0)).state, ExecutorReport::kNone);
 }
 
 }  // namespace
