@@ -278,9 +278,12 @@ TaskSituation running(NavigationPhase phase) {
 }
 
 TEST(TaskWords, tellWhatRunsHowFarAndHowLong) {
-  const TaskWords words = taskWords(running(NavigationPhase::kDriving));
+  TaskSituation route = running(NavigationPhase::kDriving);
+  route.task.text = "point 2 of 5";
+  const TaskWords words = taskWords(route);
   EXPECT_EQ(words.state, "Running");
   EXPECT_EQ(words.headline, "to point 2 of 5");
+  EXPECT_EQ(words.why, "") << "not the same words again";
   EXPECT_EQ(words.left, "3.2 m, 1 min 15 s left");
   EXPECT_TRUE(words.can_pause && words.can_skip && words.can_cancel);
   EXPECT_FALSE(words.can_resume);

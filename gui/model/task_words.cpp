@@ -69,7 +69,9 @@ TaskWords runningWords(const TaskSituation& s) {
     if (!s.task.waiting.empty()) words.why = s.task.waiting.front() + " waits until you let go";
     return words;
   }
-  words.why = !s.navigation.text.empty() ? s.navigation.text : s.task.text;
+  // Of a route the task's own words say no more than the headline.
+  words.why = s.navigation.text;
+  if (words.why.empty() && s.navigation.points < 2) words.why = s.task.text;
   if (s.gate_stopped) {
     words.severity = Severity::kWarning;
     words.state = "Waiting";
