@@ -34,6 +34,15 @@ class TaskHarness {
     return task ? *task : 0;
   }
 
+  /// A person begins to drive.
+  void takeOver() {
+    Wish wish;
+    wish.behaviour = "hand";
+    EXPECT_TRUE(tasker.submit(wish));
+    hand = true;
+    step();
+  }
+
   void step() {
     now += kStep;
     move();

@@ -279,11 +279,7 @@ TEST(Tasker, DrivingByHandSetsTheGoalAsideUntilLetGo) {
   TaskHarness robot(hall().map);
   const std::uint32_t goal = robot.goTo(5.0, 1.5);
   robot.runUntil([&] { return robot.pose.x > 2.0; });
-  Wish wish;
-  wish.behaviour = "hand";
-  ASSERT_TRUE(robot.tasker.submit(wish));
-  robot.hand = true;
-  robot.step();
+  robot.takeOver();
   EXPECT_EQ(robot.output.task.behaviour, "hand");
   EXPECT_EQ(robot.output.waiting, std::vector<std::string>{"go_to"});
   EXPECT_TRUE(robot.order.poses.empty()) << "the executor must not drive against the hand";

@@ -71,11 +71,7 @@ TEST(ByHand, WhatIsCancelledMeanwhileDoesNotComeBack) {
   TaskHarness robot(hall().map);
   const std::uint32_t goal = robot.goTo(5.0, 1.5);
   robot.runUntil([&] { return robot.pose.x > 1.5; });
-  Wish hand;
-  hand.behaviour = "hand";
-  ASSERT_TRUE(robot.tasker.submit(hand));
-  robot.hand = true;
-  robot.step();
+  robot.takeOver();
   EXPECT_EQ(robot.tasker.cancel(), "");
   robot.step();
   EXPECT_EQ(robot.output.task.behaviour, "hand");
@@ -91,11 +87,7 @@ TEST(ByHand, WhatIsPausedMeanwhileStaysSo) {
   TaskHarness robot(hall().map);
   robot.goTo(5.0, 1.5);
   robot.runUntil([&] { return robot.pose.x > 1.5; });
-  Wish hand;
-  hand.behaviour = "hand";
-  ASSERT_TRUE(robot.tasker.submit(hand));
-  robot.hand = true;
-  robot.step();
+  robot.takeOver();
   EXPECT_EQ(robot.tasker.pause(), "");
   robot.hand = false;
   robot.runUntil([&] { return false; }, 5.0);
