@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/motion/convex_hull.hpp"
+
 namespace pilothouse::bench {
 namespace {
 
@@ -10,29 +12,6 @@ using Eigen::Vector2d;
 
 double cross(const Vector2d& a, const Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
-}
-
-/// Andrew's monotone chain.
-std::vector<Vector2d> hullOf(std::vector<Vector2d> points) {
-  std::sort(points.begin(), points.end(), [](const Vector2d& a, const Vector2d& b) {
-    return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
-  });
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  if (points.size() < 3) return points;
-  std::vector<Vector2d> hull;
-  for (int side = 0; side < 2; ++side) {
-    const std::size_t begin = hull.size();
-    for (const Vector2d& point : points) {
-      while (hull.size() >= begin + 2 &&
-             cross(hull.back() - hull[hull.size() - 2], point - hull.back()) <= 1e-12) {
-        hull.pop_back();
-      }
-      hull.push_back(point);
-    }
-    hull.pop_back();
-    std::reverse(points.begin(), points.end());
-  }
-  return hull;
 }
 
 double toSegment(const Vector2d& point, const Vector2d& a, const Vector2d& b) {
@@ -50,7 +29,7 @@ bool crossing(const Vector2d& a, const Vector2d& b, const Vector2d& c, const Vec
 
 }  // namespace
 
-ConvexShape::ConvexShape(std::vector<Vector2d> points) : corners_(hullOf(std::move(points))) {
+ConvexShape::ConvexShape(std::vector<Vector2d> points) : corners_(convexHull(std::move(points))) {
   for (const Vector2d& corner : corners_) bounds_.extend(corner);
 }
 
