@@ -109,6 +109,20 @@ TEST(FloorSegmenter, WithoutFloorAtTheRobotNothingIsDrivable) {
   EXPECT_GT(count(grid, CellClass::kObstacle) + count(grid, CellClass::kDropOff), 1000U);
 }
 
+// A low box right ahead, the floor shows beside it: the robot does not stand on the box.
+TEST(FloorSegmenter, TheTopOfALowBoxThatFillsTheNearViewIsNotTheFloor) {
+  for (const double height : {0.07, 0.08, 0.10}) {
+    sim::FloorScene scene = emptyFloor();
+    scene.solids.push_back(
+        sim::makeBox(placed(0.85, -0.15), {0.6, 0.9, height}, sim::Surface::kObstacle));
+    const FloorCells grid = judged(scene);
+    EXPECT_EQ(count(grid, CellClass::kDropOff), 0U) << height;
+    EXPECT_EQ(at(grid, 0.875F, 0.025F), CellClass::kObstacle) << height;
+    EXPECT_EQ(at(grid, 1.075F, 0.525F), CellClass::kFloor) << height;
+    EXPECT_EQ(at(grid, 2.025F, 0.025F), CellClass::kFloor) << height;
+  }
+}
+
 TEST(FloorSegmenter, FewPointsOfABoxCountOneStrayPointDoesNot) {
   // A cell with 200 points of floor, seen from above at 1 m, so that noise is small.
   FloorParameters parameters;

@@ -84,13 +84,15 @@ void ImprovedMethod::findEven(const FloorCells& grid) {
   }
 }
 
-/// The patch with the most cells near the robot at about its height, or -1.
+/// The patch with the most cells near the robot at about its height, or -1. The nearer a cell is to
+/// that height the more it counts: the top of a low box right ahead shows more cells than the floor
+/// beside it, which would be a drop-off to one who stands on the box.
 int ImprovedMethod::robotPatch(const FloorCells& grid) {
   int nearest = 0;
   while (nearest < geometry_.size_x && !hasEvenCell(nearest)) ++nearest;
   const int end =
       std::min(geometry_.size_x, nearest + 1 + static_cast<int>(kSeedDepth / geometry_.cell_size));
-  votes_.assign(patches_.patches().size(), 0);
+  votes_.assign(patches_.patches().size(), 0.0F);
   int best = -1;
   for (int iy = 0; iy < geometry_.size_y; ++iy) {
     if (std::abs(geometry_.centreY(iy)) > kSeedHalfWidth) continue;
@@ -100,7 +102,8 @@ int ImprovedMethod::robotPatch(const FloorCells& grid) {
       const float limit = static_cast<float>(parameters_.seed_height) +
                           kTiltSlack * std::abs(geometry_.centreX(ix));
       if (patch < 0 || std::abs(grid.heights[i]) > limit) continue;
-      const int votes = ++votes_[static_cast<std::size_t>(patch)];
+      const float level = 1.0F - std::abs(grid.heights[i]) / limit;
+      const float votes = votes_[static_cast<std::size_t>(patch)] += level * level;
       if (best < 0 || votes > votes_[static_cast<std::size_t>(best)]) best = patch;
     }
   }

@@ -60,7 +60,7 @@ class ImprovedMethod {
   std::vector<std::uint8_t> even_;
   std::vector<std::uint8_t> floor_;  // even cells of patches that are floor
   std::vector<PatchKind> kinds_;
-  std::vector<int> votes_;      // a patch, scratch of robotPatch
+  std::vector<float> votes_;    // a patch, scratch of robotPatch
   std::vector<float> offsets_;  // scratch of patchOffset
   FloorPatches patches_;
   FloorSurface surface_;
