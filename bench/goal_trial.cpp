@@ -34,8 +34,8 @@ std::vector<Planner::Mark> marksOf(const Surroundings& seen, const Pose2& pose) 
     const MapCell kind = object.kind == CellClass::kDropOff     ? MapCell::kDropOff
                          : object.kind == CellClass::kThreshold ? MapCell::kThreshold
                                                                 : MapCell::kOccupied;
-    marks.push_back(
-        {pose * object.position.cast<double>(), 0.5 * static_cast<double>(object.size), kind});
+    marks.push_back({pose * object.position.cast<double>(), 0.5 * static_cast<double>(object.size),
+                     kind, object.remembered});
   }
   return marks;
 }
@@ -114,7 +114,7 @@ class GoalRun {
     }
   }
   void navigate() {
-    planner_.mark(marksOf(loop_.surroundings(), step_.pose));
+    planner_.markSeen(marksOf(loop_.surroundings(), step_.pose), step_.pose);
     NavigationInput input;
     input.now = step_.time;
     input.pose = step_.pose;

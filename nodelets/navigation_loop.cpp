@@ -164,7 +164,7 @@ void NavigationLoop::look(double now) {
     planner_.mark({});
   } else if (const auto T_map_base =
                  pose_.at(objects_.header.stamp.toSec(), settings_.map_frame, fault)) {
-    planner_.mark(marksOf(objects_, *T_map_base));
+    planner_.markSeen(marksOf(objects_, *T_map_base), *T_map_base);
   }
 }
 

@@ -113,7 +113,7 @@ std::vector<Planner::Mark> marksOf(const ObjectList& objects, const Pose2& T_map
                                 static_cast<double>(object.position.y));
     const double size = static_cast<double>(object.size);
     if (!place.allFinite() || !(size >= 0.0 && size <= 5.0)) continue;
-    marks.push_back({T_map_base * place, 0.5 * size, kindOf(object)});
+    marks.push_back({T_map_base * place, 0.5 * size, kindOf(object), object.remembered != 0});
   }
   return marks;
 }

@@ -41,6 +41,7 @@ void GoalNavigator::start(const Goal& goal, std::vector<Goal> beyond) {
   beyond_ = std::move(beyond);
   plans_ = 0;
   speed_ = parameters_.cruise;
+  planner_.ignoreHidden(false);
   resume();
 }
 

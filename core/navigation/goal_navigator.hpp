@@ -118,6 +118,7 @@ class GoalNavigator {
   void avoidHere();
   bool backOff(const NavigationInput& input);
   bool lookAtBlock(const NavigationInput& input);
+  bool goPastHidden(const NavigationInput& input);
   std::optional<Eigen::Vector2d> blockOf(const NavigationInput& input);
   bool drivesToLook(const NavigationInput& input, const Eigen::Vector2d& from,
                     const Eigen::Vector2d& block);

@@ -56,12 +56,14 @@ void GoalNavigator::stuck(const NavigationInput& input) {
   }
   if (measure_ == Measure::kLook) {
     measure_ = Measure::kBack;
-    if (path_.empty() && lookAtBlock(input)) return;
+    if (path_.empty() && (lookAtBlock(input) || goPastHidden(input))) return;
     if (ended()) return;
     if (parameters_.look_angle > 0.0) return lookRound(input);
   }
   if (measure_ == Measure::kBack) {
     measure_ = Measure::kRest;
+    if (path_.empty() && goPastHidden(input)) return;
+    if (ended()) return;
     if (tries_ > 0) avoidHere();  // not before it was held there again
     if (backOff(input)) return;
   }
@@ -151,6 +153,16 @@ bool GoalNavigator::drivesToLook(const NavigationInput& input, const Vector2d& f
   enter(NavigationPhase::kBacking);
   text_ = "goes to look at what is in the way: " + stuck_by_;
   return true;
+}
+
+/// What may stand where nobody can look keeps nobody from a goal to which no other way leads; the
+/// speed limiter lets the robot go slowly there.
+bool GoalNavigator::goPastHidden(const NavigationInput& input) {
+  if (!planner_.hides()) return false;
+  planner_.ignoreHidden(true);
+  if (replan(input)) return true;
+  if (!ended()) planner_.ignoreHidden(false);
+  return ended();
 }
 
 /// It is held on a way that is free by all that the planner knows: round a corner, say, nearer than

@@ -15,6 +15,8 @@ struct MapMark {
   Eigen::Vector2d place;  ///< [m]
   double radius;          ///< [m], below 10
   MapCell kind = MapCell::kOccupied;
+  bool remembered = false;  ///< not in the newest view
+  bool hidden = false;      ///< not seen at all: may stand behind what is (see HiddenSides)
 };
 
 /// A map with what is seen now laid upon it.
@@ -34,6 +36,11 @@ class MarkedMap {
 
   const MapCells& cells() const { return map_; }  ///< marks included
   const std::vector<MapMark>& marks() const { return marks_; }
+  /// Whether the map itself, without marks, has something as grave there or beside: what is seen
+  /// there was seen a little off.
+  bool knows(const Eigen::Vector2d& place, MapCell kind) const {
+    return known(map_.column(place.x()), map_.row(place.y()), kind);
+  }
   /// Another number whenever map or marks have changed.
   std::uint32_t revision() const { return revision_; }
   /// For a look at what the map would be without them that leaves no trace.

@@ -44,6 +44,26 @@ bool Planner::turns() const {
   return base_ == BaseKind::kDifferential || parameters_.heading == HeadingMode::kFree;
 }
 
+bool Planner::markSeen(std::vector<Mark> marks, const Pose2& pose) {
+  if (!hasMap() || !pose.finite() || ignores_hidden_) return mark(marks);
+  return mark(hidden_.behind(std::move(marks), pose, map_, check_.circumscribed()));
+}
+
+bool Planner::hides() const {
+  const std::vector<Mark>& all = marks();
+  return std::any_of(all.begin(), all.end(), [](const Mark& mark) { return mark.hidden; });
+}
+
+void Planner::ignoreHidden(bool ignored) {
+  ignores_hidden_ = ignored;
+  if (!ignored) return;
+  hidden_.clear();
+  std::vector<Mark> seen = marks();
+  seen.erase(std::remove_if(seen.begin(), seen.end(), [](const Mark& mark) { return mark.hidden; }),
+             seen.end());
+  mark(seen);
+}
+
 Plan Planner::planAmong(const std::vector<Mark>& marks, const PlanRequest& request) {
   const std::uint32_t revision = map_.revision();
   const std::vector<Mark> all = map_.marks();

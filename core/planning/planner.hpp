@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/motion/base_parameters.hpp"
+#include "core/planning/hidden_sides.hpp"
 #include "core/planning/marked_map.hpp"
 #include "core/planning/outline_walk.hpp"
 #include "core/planning/path_smoother.hpp"
@@ -42,6 +43,11 @@ class Planner {
   const MapCells& map() const { return map_.cells(); }  ///< marks included
   /// Replaces all earlier marks. @return whether anything changed.
   bool mark(const std::vector<Mark>& marks) { return map_.mark(marks, field_); }
+  /// Seen from `pose`: what may stand behind is marked too, until the floor there is seen.
+  bool markSeen(std::vector<Mark> marks, const Pose2& pose);
+  /// Whether anything is marked that is only hidden; whether such is to be marked at all.
+  bool hides() const;
+  void ignoreHidden(bool ignored);
   const std::vector<Mark>& marks() const { return map_.marks(); }
   /// Another number whenever map or marks have changed.
   std::uint32_t revision() const { return map_.revision(); }
@@ -78,6 +84,8 @@ class Planner {
   FootprintCheck check_, bare_;  ///< with and without something to spare
   CostField field_;
   MarkedMap map_;
+  HiddenSides hidden_;
+  bool ignores_hidden_ = false;
   GridSearch search_;
   Reach reach_, goal_reach_;  ///< of start and goal, where there is no way
   PathSmoother smoother_;
