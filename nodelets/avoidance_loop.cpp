@@ -125,7 +125,8 @@ void AvoidanceLoop::step() {
   const CommandChoice::Wish wish = commands_.choose(steady);
   const auto pose = merger_.pose(now);
   LimiterInput input;
-  input.dt = steady - last_step_;
+  // From standstill a step that comes late makes up for nothing.
+  input.dt = stopped_ ? 0.0 : steady - last_step_;
   last_step_ = steady;
   input.wanted = wish.twist;
   input.command_age = wish.age;
