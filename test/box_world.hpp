@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "test/own_folder.hpp"
+
 namespace pilothouse {
 
 /// A box that stands in a simulated world.
@@ -31,7 +33,7 @@ inline std::string writeBoxWorld(const std::string& name, std::vector<WorldBox> 
           << "</visual></link></model>";
   }
   world << "</world></sdf>";
-  const std::string path = testing::TempDir() + "/" + name + ".sdf";
+  const std::string path = ownFolder() + "/" + name + ".sdf";
   std::ofstream(path) << world.str();
   return path;
 }

@@ -27,7 +27,7 @@ namespace pilothouse::gui {
 // What the tests of the whole console on a real screen need: processes, real keys, what was
 // published, and the console itself.
 
-constexpr int kPatience = 30000;  // ms; far above what anything here takes
+constexpr int kPatience = 60000;  // ms; far above what anything here takes
 
 /// A process that ends with the test, whatever happens.
 class Child {

@@ -14,7 +14,7 @@ import time
 import unittest
 
 CONSOLE = SOURCE = None
-PATIENCE = 30
+PATIENCE = 60
 
 
 class Program(unittest.TestCase):

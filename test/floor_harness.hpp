@@ -21,7 +21,7 @@ namespace pilothouse {
 
 /// Runs the test's callbacks until `done` or the deadline.
 template <class Condition>
-bool spinUntil(Condition done, double seconds = 30.0) {
+bool spinUntil(Condition done, double seconds = 60.0) {
   const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(seconds);
   while (!done() && ros::WallTime::now() < deadline) {
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.02));

@@ -4,8 +4,10 @@
 usage: package_test.py SOURCE BUILD installed|catkin_make
 """
 import os
+import random
 import shutil
 import signal
+import socket
 import subprocess
 import sys
 import tempfile
@@ -40,10 +42,15 @@ def sourced(prefix, environment):
 
 
 def free_port():
-    import socket
-    with socket.socket() as probe:
-        probe.bind(('127.0.0.1', 0))
-        return probe.getsockname()[1]
+    """Below those that the system gives to every connection of whatever runs beside."""
+    while True:
+        port = random.randrange(12000, 32000)
+        with socket.socket() as probe:
+            try:
+                probe.bind(('', port))
+                return port
+            except OSError:
+                continue
 
 
 def expect(text, output):
@@ -73,7 +80,7 @@ def check_floor_runs(environment):
     finally:
         if launch.poll() is None:
             launch.send_signal(signal.SIGINT)
-        launch.communicate(timeout=30)
+        launch.communicate(timeout=DEADLINE)
 
 
 def installed(source, build, folder):

@@ -45,14 +45,14 @@ class RobotStandIn {
 
   std_srvs::Trigger::Response call(const std::string& service) {
     std_srvs::Trigger trigger;
-    if (!ros::service::waitForService(service, 20000) || !ros::service::call(service, trigger))
+    if (!ros::service::waitForService(service, 60000) || !ros::service::call(service, trigger))
       trigger.response.message = "no answer";
     return trigger.response;
   }
 
   /// Waits until `holds` is true of the newest state and the newest speed on cmd_vel.
   template <class Condition>
-  bool wait(Condition holds, double seconds = 20.0) {
+  bool wait(Condition holds, double seconds = 60.0) {
     std::unique_lock<std::mutex> lock(mutex_);
     return changed_.wait_for(lock, std::chrono::duration<double>(seconds),
                              [&] { return holds(newest_, base_speed_); });

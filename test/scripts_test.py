@@ -13,7 +13,7 @@ def call(*arguments):
     environment = {k: os.environ[k] for k in ('HOME', 'PATH') if k in os.environ}
     return subprocess.run([os.path.join(PROJECT, 'scripts', arguments[0])] + list(arguments[1:]),
                           env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                          stderr=subprocess.PIPE, universal_newlines=True, timeout=60)
+                          stderr=subprocess.PIPE, universal_newlines=True, timeout=180)
 
 
 class Commands(unittest.TestCase):

@@ -6,7 +6,6 @@
 
 #include <QApplication>
 #include <QDoubleSpinBox>
-#include <QTcpServer>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QThread>
@@ -19,6 +18,7 @@
 #include "gui/view/stop_button.hpp"
 #include "gui/view/theme.hpp"
 #include "test/console_bridge.hpp"
+#include "test/free_port.hpp"
 
 using namespace pilothouse;
 using namespace pilothouse::gui;
@@ -276,12 +276,6 @@ int showOtherWindow(QApplication& application) {
   other.resize(200, 100);
   other.show();
   return application.exec();
-}
-
-QString freePort() {
-  QTcpServer server;
-  server.listen(QHostAddress::LocalHost);
-  return QString::number(server.serverPort());
 }
 
 }  // namespace

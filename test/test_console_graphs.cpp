@@ -173,8 +173,8 @@ TEST(Graphs, pauseHoldsThePictureWhileSamplesAreKept) {
   w.window.refreshNow();
   EXPECT_EQ(w.speed->timeAt(w.speed->field().right()), right);
   QTest::keyClick(&w.window, Qt::Key_P);
-  QTest::qWait(60);
-  EXPECT_GT(w.speed->timeAt(w.speed->field().right()), right);
+  EXPECT_TRUE(
+      QTest::qWaitFor([&] { return w.speed->timeAt(w.speed->field().right()) > right; }, 60000));
   EXPECT_NEAR(w.series("measured").newest, 0.1, 1e-6);
 }
 
@@ -224,7 +224,7 @@ TEST(HoldButton, wantsToBeHeldThroughAutorepeat) {
     button.keyUp();  // X repeats: released and pressed at once
     button.keyDown();
   }
-  EXPECT_TRUE(confirmed.wait(5000));
+  EXPECT_TRUE(confirmed.wait(60000));
   button.keyUp();
   button.show("Armed", "ready", false);
   button.keyDown();

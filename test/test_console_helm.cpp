@@ -51,7 +51,7 @@ class Listener : public HelmOutput {
   template <class Condition>
   bool waitFor(Condition condition) {
     std::unique_lock<std::mutex> lock(mutex_);
-    return news_.wait_for(lock, std::chrono::seconds(20),
+    return news_.wait_for(lock, std::chrono::seconds(60),
                           [&] { return condition(beats_, driven_); });
   }
   std::vector<Sent> beats() const {

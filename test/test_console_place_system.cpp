@@ -61,7 +61,16 @@ class PlaceSystem : public ::testing::Test {
     EXPECT_TRUE(waitFor([&] { return state().place.answer.get().serial != before; }));
     return state().place.answer.get();
   }
+  /// Asked again where a busy computer made the pose too old to plan from.
   static Preview preview(const PlaceGoal& goal, const std::optional<Pose2>& from = {}) {
+    Preview newest;
+    EXPECT_TRUE(waitFor([&] {
+      newest = previewOnce(goal, from);
+      return newest.why.find(" s old, limit ") == std::string::npos;
+    })) << newest.why;
+    return newest;
+  }
+  static Preview previewOnce(const PlaceGoal& goal, const std::optional<Pose2>& from) {
     static std::uint32_t id = 100;
     ++id;
     ask([&](PlaceAsks& asks) { asks.preview(id, goal, from); });

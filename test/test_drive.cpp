@@ -58,7 +58,7 @@ class Chain {
   /// Until `done`; where a busy computer made an input stale, the gate is armed again: how fast
   /// things go is not what is asserted here.
   template <class Condition>
-  bool driveUntil(Condition done, double seconds = 90.0) {
+  bool driveUntil(Condition done, double seconds = 240.0) {
     return spinUntil(
         [&] {
           std_srvs::Trigger trigger;

@@ -74,7 +74,7 @@ class Goals : public testing::Test {
     handle_.setParam("simulator/world", worldFile());
     handle_.setParam("simulator/camera", "kinect_qvga");
     handle_.setParam("Navigator/map_frame", "world");
-    handle_.setParam("Navigator/routes_folder", testing::TempDir() + "/goals_test_routes");
+    handle_.setParam("Navigator/routes_folder", ownFolder() + "/routes");
     take("stop_state", gate);
     take("ground_truth", truth);
     take("contacts", contacts);
@@ -88,7 +88,7 @@ class Goals : public testing::Test {
                                nodelet::V_string()));
     }
     map_.publish(worldMap());
-    ASSERT_TRUE(spinUntil([&] { return gate.can_arm && plans(poseAt(1.0, 0.5, 0.0)); }, 60.0));
+    ASSERT_TRUE(spinUntil([&] { return gate.can_arm && plans(poseAt(1.0, 0.5, 0.0)); }));
   }
   bool plans(const geometry_msgs::PoseStamped& goal) {
     PlanPath path;
@@ -97,7 +97,7 @@ class Goals : public testing::Test {
   }
   /// Armed whenever it can be: how fast things go is not what is asserted here.
   template <class Condition>
-  bool driveUntil(Condition done, double seconds = 120.0) {
+  bool driveUntil(Condition done, double seconds = 240.0) {
     return spinUntil(
         [&] {
           std_srvs::Trigger trigger;
@@ -160,7 +160,7 @@ TEST_F(Goals, AStandardActionClientSendsTheRobotRoundWhatTheMapDoesNotHave) {
   // told.
   goal.target_pose = poseAt(2.0, 2.0, 0.0);
   client.sendGoal(goal);
-  ASSERT_TRUE(driveUntil([&] { return client.getState().isDone(); }, 10.0));
+  ASSERT_TRUE(driveUntil([&] { return client.getState().isDone(); }));
   EXPECT_EQ(client.getState(), actionlib::SimpleClientGoalState::ABORTED);
   EXPECT_EQ(client.getState().getText(), "something stands at the goal");
   ASSERT_TRUE(spinUntil([&] { return navigation.state == NavigationState::FAILED; }));
@@ -169,9 +169,9 @@ TEST_F(Goals, AStandardActionClientSendsTheRobotRoundWhatTheMapDoesNotHave) {
   // Cancelled by its client.
   goal.target_pose = poseAt(0.5, 0.0, 0.0);
   client.sendGoal(goal);
-  ASSERT_TRUE(driveUntil([&] { return navigation.state == NavigationState::DRIVING; }, 20.0));
+  ASSERT_TRUE(driveUntil([&] { return navigation.state == NavigationState::DRIVING; }));
   client.cancelGoal();
-  ASSERT_TRUE(driveUntil([&] { return client.getState().isDone(); }, 10.0));
+  ASSERT_TRUE(driveUntil([&] { return client.getState().isDone(); }));
   EXPECT_EQ(client.getState(), actionlib::SimpleClientGoalState::PREEMPTED);
   ASSERT_TRUE(spinUntil([&] { return task.state == TaskState::CANCELLED; }));
 
@@ -180,7 +180,7 @@ TEST_F(Goals, AStandardActionClientSendsTheRobotRoundWhatTheMapDoesNotHave) {
   ASSERT_TRUE(spinUntil([&] { return task.state == TaskState::RUNNING; }));
   goal.target_pose = poseAt(kNan, 0.0, 0.0);
   client.sendGoal(goal);
-  ASSERT_TRUE(driveUntil([&] { return client.getState().isDone(); }, 10.0));
+  ASSERT_TRUE(driveUntil([&] { return client.getState().isDone(); }));
   EXPECT_EQ(client.getState(), actionlib::SimpleClientGoalState::ABORTED);
   EXPECT_TRUE(spinUntil([&] { return task.state == TaskState::CANCELLED; }));
 }

@@ -13,7 +13,7 @@ namespace {
 /// Runs callbacks until `done` or the deadline.
 template <class Condition>
 bool spinUntil(Condition done) {
-  const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(20.0);
+  const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(60.0);
   while (!done() && ros::WallTime::now() < deadline)
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.1));
   return done();

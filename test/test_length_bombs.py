@@ -15,7 +15,7 @@ from sensor_msgs.msg import PointCloud2, PointField
 from std_msgs.msg import String, UInt32
 
 LISTENER = "/guarded_listener"
-DEADLINE = 20.0  # s
+DEADLINE = 60.0  # s
 
 
 class RawCloud(rospy.AnyMsg):

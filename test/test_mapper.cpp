@@ -9,13 +9,12 @@
 #include <visualization_msgs/Marker.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <limits>
 
 #include "doors/map_views.hpp"
 #include "test/floor_harness.hpp"
+#include "test/own_folder.hpp"
 
 namespace pilothouse {
 namespace {
@@ -200,16 +199,6 @@ TEST(Mapper, RefusesToStartWithWrongParameters) {
   EXPECT_FALSE(harness.load());
 }
 
-/// A folder that goes with its test.
-struct OwnFolder {
-  OwnFolder() {
-    std::string pattern = "/tmp/pilothouse_volume_XXXXXX";
-    if (mkdtemp(&pattern[0]) != nullptr) path = pattern;
-  }
-  ~OwnFolder() { std::filesystem::remove_all(path); }
-  std::string path;
-};
-
 TEST(VolumeMapper, LearnsPublishesAndRefusesHostileFiles) {
   const OwnFolder folder;
   ros::NodeHandle handle("/volume_mapping");
@@ -239,7 +228,7 @@ TEST(VolumeMapper, LearnsPublishesAndRefusesHostileFiles) {
   const auto call = [&](const std::string& service, const std::string& name) {
     MapFile file;
     file.request.name = name;
-    EXPECT_TRUE(ros::service::waitForService("/volume_mapping/volume/" + service, 20000));
+    EXPECT_TRUE(ros::service::waitForService("/volume_mapping/volume/" + service, 60000));
     EXPECT_TRUE(ros::service::call("/volume_mapping/volume/" + service, file));
     return file.response;
   };

@@ -16,7 +16,7 @@ from diagnostic_msgs.msg import DiagnosticArray
 from nodelet.srv import NodeletLoad, NodeletUnload
 from sensor_msgs.msg import CameraInfo, Image, PointCloud2
 
-DEADLINE = 20.0  # s
+DEADLINE = 60.0  # s
 
 
 def pcd(points, width=None):

@@ -21,7 +21,7 @@ class FatalLog {
     spinUntil([this] { return subscriber_.getNumPublishers() > 0; });
   }
   bool waitFor(const std::string& text) {
-    return spinUntil([&] { return has(text); }, 10.0);
+    return spinUntil([&] { return has(text); });
   }
   std::string all() const {
     std::string text;

@@ -13,10 +13,11 @@ import rospy
 import rostest
 
 REFUSED = 3  # the only exit code after which nothing is started again
+PATIENCE = 180  # s, for what takes a few
 
 
 def run(*arguments):
-    done = subprocess.run(['rosrun', 'nodelet', 'nodelet'] + list(arguments), timeout=60,
+    done = subprocess.run(['rosrun', 'nodelet', 'nodelet'] + list(arguments), timeout=PATIENCE,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True)
     return done.returncode, done.stdout
 
@@ -47,7 +48,7 @@ class RefusedProcesses(unittest.TestCase):
     def test_host_that_is_started_again_when_killed(self):
         rospy.set_param('/host/nodelets', {'deep': 'pilothouse/DepthFloor'})
         rospy.set_param('/deep/range', 'far')
-        done = subprocess.run(['rosrun', 'pilothouse', 'nodelet_host', '--respawn', '__name:=host'], timeout=60,
+        done = subprocess.run(['rosrun', 'pilothouse', 'nodelet_host', '--respawn', '__name:=host'], timeout=PATIENCE,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True)
         self.assertEqual(done.returncode, REFUSED, done.stdout)
         self.assertEqual(done.stdout.count('/deep: range is "far" (a string), expected a number from 0.5 to 20'), 1,
@@ -93,7 +94,7 @@ class RefusedProcesses(unittest.TestCase):
 def launched(*arguments):
     """What it said until its end."""
     package = [] if arguments[0].startswith('/') else ['pilothouse']
-    done = subprocess.run(['roslaunch'] + package + list(arguments), timeout=90,
+    done = subprocess.run(['roslaunch'] + package + list(arguments), timeout=PATIENCE,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True)
     return done.stdout
 

@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include "doors/robot_description.hpp"
+#include "test/own_folder.hpp"
 
 namespace pilothouse {
 namespace {
@@ -101,7 +102,7 @@ TEST(RobotDescription, ReadsTheFilesOfThePackage) {
 
 TEST(RobotDescription, AFileThatIsNoneIsRefusedByName) {
   EXPECT_EQ(readRobotFile("/nowhere/robot.yaml").reason(), "/nowhere/robot.yaml: cannot be read");
-  const std::string path = testing::TempDir() + "pilothouse_robot.yaml";
+  const std::string path = ownFolder() + "/robot.yaml";
   std::ofstream(path) << "name: [";
   EXPECT_EQ(readRobotFile(path).reason().substr(0, path.size() + 10), path + ": not YAML");
   std::ofstream(path) << "name: 7\ncamera: {x: far}";

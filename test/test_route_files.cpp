@@ -7,6 +7,7 @@
 
 #include "doors/goal_views.hpp"
 #include "doors/route_files.hpp"
+#include "test/own_folder.hpp"
 
 namespace pilothouse {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 std::string folder() {
-  return testing::TempDir() + "/test_route_files";
+  return ownFolder() + "/routes";
 }
 
 GoalRoute someRoute() {
