@@ -123,6 +123,24 @@ TEST(FloorSegmenter, TheTopOfALowBoxThatFillsTheNearViewIsNotTheFloor) {
   }
 }
 
+// A box right ahead parts the view: floor that soon rises to a ramp on the left, floor on the
+// right.
+TEST(FloorSegmenter, ARampBesideABoxDoesNotTiltTheFloorOnItsOtherSide) {
+  sim::FloorScene scene = emptyFloor();
+  scene.solids.push_back(
+      sim::makeBox(placed(0.975, -0.05), {0.85, 0.3, 0.5}, sim::Surface::kObstacle));
+  Eigen::Isometry3d T_base_ramp = placed(0.95, 0.25);
+  T_base_ramp.rotate(Eigen::AngleAxisd(1.06, Eigen::Vector3d::UnitZ()));
+  scene.solids.push_back(sim::makeRamp(T_base_ramp, 4.7 * 0.0174533, 0.3, 6.0));
+  const FloorCells grid = judged(scene);
+  EXPECT_EQ(count(grid, CellClass::kDropOff), 0U);
+  for (const float x : {0.975F, 1.225F, 1.525F}) {
+    EXPECT_EQ(at(grid, x, -0.625F), CellClass::kFloor) << x;
+  }
+  EXPECT_EQ(at(grid, 0.725F, 0.275F), CellClass::kFloor);
+  EXPECT_TRUE(isDrivable(at(grid, 1.525F, 0.475F))) << "the ramp";
+}
+
 TEST(FloorSegmenter, FewPointsOfABoxCountOneStrayPointDoesNot) {
   // A cell with 200 points of floor, seen from above at 1 m, so that noise is small.
   FloorParameters parameters;

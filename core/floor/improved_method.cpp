@@ -13,8 +13,9 @@ constexpr float kSeedHalfWidth =
 constexpr float kSeedDepth = 0.5F;   // and this far beyond the nearest cell seen [m]
 constexpr float kTiltSlack = 0.06F;  // tan 3.4 deg: a mounting not yet calibrated [m/m]
 constexpr int kOffsetSamples = 15;
-constexpr float kNoiseSigmas = 2.0F;   // of noise that a patch may lie off the floor beyond a step
-constexpr float kFloorSlack = 0.001F;  // how well the floor's height at a cell is known [m]
+constexpr float kNoiseSigmas = 2.0F;  // of noise that a patch may lie off the floor beyond a step
+constexpr std::uint32_t kFewPoints = 8;  // so many of one cell alone tell of a step down
+constexpr float kFloorSlack = 0.001F;    // how well the floor's height at a cell is known [m]
 
 }  // namespace
 
@@ -49,6 +50,7 @@ std::optional<FloorSlope> ImprovedMethod::judge(const Eigen::Isometry3f& T_base_
     joinIslands(grid, T_base_camera.translation());
   }
   classify(grid);
+  dropLoneDropOffs(grid);
   markHiddenByEdge(T_base_camera.translation(), grid);
   return home_;
 }
@@ -286,6 +288,23 @@ void ImprovedMethod::classify(FloorCells& grid) {
         grid.classes[i] = CellClass::kObstacle;
         break;
     }
+  }
+}
+
+/// A step down shows in more than one cell; a few points beside what stands right ahead do not
+/// tell.
+void ImprovedMethod::dropLoneDropOffs(FloorCells& grid) {
+  for (std::size_t i = 0; i < grid.classes.size(); ++i) {
+    if (grid.classes[i] != CellClass::kDropOff || grid.counts[i] >= kFewPoints) continue;
+    const int ix = static_cast<int>(i) % geometry_.size_x;
+    const int iy = static_cast<int>(i) / geometry_.size_x;
+    int alike = 0;
+    for (int y = std::max(0, iy - 1); y <= std::min(geometry_.size_y - 1, iy + 1); ++y) {
+      for (int x = std::max(0, ix - 1); x <= std::min(geometry_.size_x - 1, ix + 1); ++x) {
+        if (grid.classes[geometry_.index(x, y)] == CellClass::kDropOff) ++alike;
+      }
+    }
+    if (alike == 1) grid.classes[i] = CellClass::kUnknown;  // itself
   }
 }
 

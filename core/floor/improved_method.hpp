@@ -50,6 +50,7 @@ class ImprovedMethod {
   CellClass judgeFloorCell(std::size_t i, const FloorCells& grid);
   CellClass judgeUnevenCell(std::size_t i, const FloorCells& grid);
   void classify(FloorCells& grid);
+  void dropLoneDropOffs(FloorCells& grid);
   void markHiddenByEdge(const Eigen::Vector3f& camera, FloorCells& grid);
 
   FloorParameters parameters_;

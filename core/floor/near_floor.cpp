@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace pilothouse {
@@ -28,6 +29,9 @@ constexpr std::array<Round, 5> kRounds = {
     {{0.4F, 0.008F}, {0.6F, 0.006F}, {0.9F, 0.004F}, {1.2F, 0.004F}, {1.2F, 0.004F}}};
 constexpr Eigen::Index kFewestCells = 60;
 constexpr float kNoGate = 1e3F;
+// It passes so near below the base's origin [m]: a ramp that fills the view does not. More than the
+// camera's height may be wrong, less than a ramp's foot a step ahead is off.
+constexpr double kAtFeet = 0.035;
 
 }  // namespace
 
@@ -85,20 +89,30 @@ std::optional<FloorSlope> NearFloor::solve(Range range, const FloorSlope& from, 
   return FloorSlope{solution[0], solution[1], solution[2]};
 }
 
+/// Of the level floor and what the bands make of it, the plane that most cells agree with, those
+/// first that pass below the robot's feet.
 std::optional<FloorSlope> NearFloor::start() {
   std::optional<FloorSlope> best;
   Eigen::Index most = 0;
+  bool best_at_feet = false;
   const Range all = range(0.0F, kAgreementReach);
+  const auto propose = [&](const FloorSlope& plane) {
+    const Eigen::Index agree = (residuals(all, plane).abs() < kAgreement).count();
+    const bool at_feet = std::abs(plane.height) <= kAtFeet;
+    if (at_feet == best_at_feet ? agree <= most : best_at_feet) return;
+    if (agree < kFewestCells && best) return;
+    best = plane;
+    most = agree;
+    best_at_feet = at_feet;
+  };
   for (const Band& band : kStarts) {
     const Range some = range(band.begin, band.end);
     auto plane = solve(some, FloorSlope{}, kNoGate);
     if (plane) plane = solve(some, *plane, kStartGate);
-    if (!plane) continue;
-    const Eigen::Index agree = (residuals(all, *plane).abs() < kAgreement).count();
-    if (agree <= most) continue;
-    most = agree;
-    best = plane;
+    if (plane) propose(*plane);
   }
+  const FloorSlope level;
+  if ((residuals(all, level).abs() < kAgreement).count() >= kFewestCells) propose(level);
   return best;
 }
 
