@@ -1,11 +1,13 @@
 #include "nodelets/scan_thread.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace pilothouse {
 namespace {
 
-constexpr double kPatience = 0.5;  // for odometry [s]
+constexpr double kPatience = 0.5;         // for odometry [s]
+constexpr std::size_t kMostWaiting = 32;  // scans of one scanner
 
 double seconds(std::chrono::steady_clock::duration duration) {
   return std::chrono::duration<double>(duration).count();
@@ -32,8 +34,12 @@ ScanThread::~ScanThread() {
 void ScanThread::take(std::size_t source, ScanBeams beams, const ScanMounting& mounting) {
   {
     std::lock_guard<std::mutex> lock(mutex_);
-    if (waiting_[source]) ++report_.overtaken;
-    waiting_[source] = Waiting{std::move(beams), mounting, Clock::now()};
+    auto& waiting = waiting_[source];
+    waiting.push_back({std::move(beams), mounting, Clock::now()});
+    if (waiting.size() > kMostWaiting) {
+      waiting.pop_front();
+      ++report_.overtaken;
+    }
     woken_ = true;
   }
   changed_.notify_all();
@@ -71,12 +77,18 @@ std::optional<ScanThread::Waiting> ScanThread::next(std::size_t& source) {
   }
   std::lock_guard<std::mutex> lock(mutex_);
   for (std::size_t i = 0; i < waiting_.size(); ++i) {
-    if (!waiting_[i]) continue;
-    const bool stale = seconds(Clock::now() - waiting_[i]->arrived) > kPatience;
-    const double end = waiting_[i]->beams.end() - localisers_[i]->lag().seconds();
-    if (end > newest && !stale) continue;
+    auto& waiting = waiting_[i];
+    const auto ready = std::find_if(waiting.rbegin(), waiting.rend(), [&](const Waiting& scan) {
+      const bool stale = seconds(Clock::now() - scan.arrived) > kPatience;
+      return stale || scan.beams.end() - localisers_[i]->lag().seconds() <= newest;
+    });
+    if (ready == waiting.rend()) continue;
     source = i;
-    return std::exchange(waiting_[i], std::nullopt);
+    Waiting scan = std::move(*ready);
+    const auto taken = waiting.rend() - ready;
+    report_.overtaken += static_cast<std::uint64_t>(taken - 1);
+    waiting.erase(waiting.begin(), waiting.begin() + taken);
+    return scan;
   }
   return std::nullopt;
 }

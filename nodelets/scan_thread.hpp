@@ -4,6 +4,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -26,7 +27,7 @@ struct SharedTracker {
 };
 
 /// Lays scans upon the map in a thread of its own, so that nobody waits for it: of each scanner the
-/// newest scan, once odometry tells where the robot was.
+/// newest scan of those for which odometry tells where the robot was.
 class ScanThread {
  public:
   static constexpr std::size_t kVerdicts = static_cast<std::size_t>(MatchVerdict::kNoTrack) + 1;
@@ -59,7 +60,8 @@ class ScanThread {
     Clock::time_point arrived;
   };
   void run();
-  /// A scan whose time odometry has reached, or that waited too long. @param source of it
+  /// The newest scan whose time odometry has reached, or that waited too long; those before it are
+  /// overtaken. @param source of it
   std::optional<Waiting> next(std::size_t& source);
   void localise(std::size_t source, Waiting& scan);
   void count(MatchVerdict verdict, const ScanMatch& match, Clock::duration took);
@@ -71,7 +73,7 @@ class ScanThread {
   std::mutex mutex_;
   std::condition_variable changed_;
   bool ended_ = false, woken_ = false;
-  std::vector<std::optional<Waiting>> waiting_;
+  std::vector<std::deque<Waiting>> waiting_;  ///< of each scanner, the newest last
   std::optional<MapCells> given_;
   Report report_;
   std::optional<Clock::time_point> accepted_;
