@@ -213,6 +213,8 @@ TEST(PoseTracker, RefusesAPoseThatCannotBe) {
   EXPECT_NE(refusal(estimateAt(1.0, {kNan, 0.0, 0.0})).find("not finite"), std::string::npos);
   EXPECT_NE(refusal(estimateAt(1.0, {1e9, 0.0, 0.0})).find("100 km"), std::string::npos);
   EXPECT_NE(refusal(estimateAt(1.0, {}, kNan)).find("covariance"), std::string::npos);
+  EXPECT_NE(refusal(estimateAt(1.0, {}, 1e150)).find("100 km"), std::string::npos)
+      << "sums of it would overflow";
   PoseEstimate estimate = estimateAt(1.0, {});
   estimate.covariance(0, 1) = 0.005;
   EXPECT_NE(refusal(estimate).find("not symmetric"), std::string::npos);
@@ -279,6 +281,9 @@ TEST(PoseTracker, StaysInTheMapWhenTheBaseCountsAnew) {
   EXPECT_EQ(tracker.addOdometry(2.02, {0.0, 0.0, 0.0}), OdometryVerdict::kJumped);
   expectNear(tracker.newest().pose, {2.0, 0.0, 0.0}, 1e-9);
   EXPECT_EQ(tracker.addOdometry(2.04, {0.02, 0.0, 0.0}), OdometryVerdict::kTaken);
+  expectNear(tracker.newest().pose, {2.02, 0.0, 0.0}, 1e-9);
+  // It counts anew where it had begun, but looks elsewhere: no base turns so fast.
+  EXPECT_EQ(tracker.addOdometry(2.05, {0.02, 0.0, 2.5}), OdometryVerdict::kJumped);
   expectNear(tracker.newest().pose, {2.02, 0.0, 0.0}, 1e-9);
   EXPECT_EQ(tracker.addOdometry(2.06, {kNan, 0.0, 0.0}), OdometryVerdict::kNotFinite);
   EXPECT_EQ(tracker.addOdometry(kNan, {0.02, 0.0, 0.0}), OdometryVerdict::kNotFinite);

@@ -133,7 +133,8 @@ OdometryVerdict PoseTracker::addOdometry(double stamp, const Pose2& T_odom_base)
   const double dt = stamp - last.stamp;
   if (dt <= 0.0 && dt > -kTimeBack) return OdometryVerdict::kOld;
   const Pose2 moved = relative(last.odom, T_odom_base);
-  const bool jumped = moved.position().norm() > kJump + kFastest * std::max(0.0, dt);
+  const double most = kJump + kFastest * std::max(0.0, dt);
+  const bool jumped = moved.position().norm() > most || std::abs(moved.heading) > most;
   if (dt < 0.0) {
     // A clock that was set back while the robot stands leaves it where it is; a recording that
     // begins anew does not.
@@ -229,6 +230,9 @@ std::optional<std::string> PoseTracker::setPose(const PoseEstimate& wanted) {
   const double scale = std::max(1.0, wanted.covariance.cwiseAbs().maxCoeff());
   if ((wanted.covariance - wanted.covariance.transpose()).cwiseAbs().maxCoeff() > 1e-6 * scale) {
     return "the covariance is not symmetric";
+  }
+  if (scale > kFarthest * kFarthest) {
+    return "the covariance is larger than that of a pose anywhere within 100 km";
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(wanted.covariance);
   if (axes.eigenvalues()(0) < -1e-9 * scale) {
