@@ -64,7 +64,7 @@ class Replayer {
     const auto begin = std::chrono::steady_clock::now();
     const auto points = pointsOf(beams, scan.mounting, TrackPiece(*way), stamp);
     const ScanMatch match =
-        localiser.match(points, predicted->pose, scan.mounting.T_base_sensor.position());
+        localiser.match(points, *predicted, scan.mounting.T_base_sensor.position());
     const MatchVerdict verdict = tracker_.correct(stamp, match);
     localiser.learn(verdict, tracker_.at(stamp)->pose);
     const auto lately = tracker_.way(stamp - ScanLag::kWay, stamp);

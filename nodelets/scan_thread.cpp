@@ -137,7 +137,7 @@ void ScanThread::localise(std::size_t source, Waiting& scan) {
   }
   const auto points = pointsOf(scan.beams, scan.mounting, TrackPiece(*way), stamp);
   const ScanMatch match =
-      localiser.match(points, predicted->pose, scan.mounting.T_base_sensor.position());
+      localiser.match(points, *predicted, scan.mounting.T_base_sensor.position());
   MatchVerdict verdict = MatchVerdict::kNoTrack;
   std::optional<std::vector<std::pair<double, Pose2>>> lately;
   bool overtaken = false;

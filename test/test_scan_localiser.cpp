@@ -8,64 +8,13 @@
 #include "core/pose/scan_points.hpp"
 #include "registration/icp_matcher.hpp"
 #include "sim/random.hpp"
+#include "test/segment_room.hpp"
 
 namespace pilothouse {
 namespace {
 
-/// A room of walls and a few boxes, as line segments.
-struct Room {
-  struct Segment {
-    Eigen::Vector2d a, b;
-  };
-  std::vector<Segment> segments;
-
-  void box(double x, double y, double width, double depth) {
-    const Eigen::Vector2d c[4] = {{x, y}, {x + width, y}, {x + width, y + depth}, {x, y + depth}};
-    for (int i = 0; i < 4; ++i) segments.push_back({c[i], c[(i + 1) % 4]});
-  }
-  static Room furnished() {
-    Room room;
-    room.box(-4.0, -3.0, 8.0, 6.0);
-    room.box(1.5, 1.0, 0.8, 0.5);
-    room.box(-2.5, -2.0, 0.6, 0.9);
-    room.box(2.8, -2.0, 0.4, 0.4);
-    return room;
-  }
-  static Room corridor() {
-    Room room;
-    room.segments = {{{-50.0, -1.0}, {50.0, -1.0}}, {{-50.0, 1.0}, {50.0, 1.0}}};
-    return room;
-  }
-
-  float range(const Pose2& from, double bearing) const {
-    const Eigen::Vector2d direction(std::cos(from.heading + bearing),
-                                    std::sin(from.heading + bearing));
-    double nearest = INFINITY;
-    for (const Segment& s : segments) {
-      const Eigen::Vector2d along = s.b - s.a, to = s.a - from.position();
-      const double cross = direction.x() * along.y() - direction.y() * along.x();
-      if (std::abs(cross) < 1e-12) continue;
-      const double t = (to.x() * along.y() - to.y() * along.x()) / cross;
-      const double u = (to.x() * direction.y() - to.y() * direction.x()) / cross;
-      if (t > 0.0 && u >= 0.0 && u <= 1.0) nearest = std::min(nearest, t);
-    }
-    return static_cast<float>(nearest);
-  }
-
-  /// A whole turn of 360 beams of a robot on its way.
-  template <class PoseAt>
-  ScanBeams scan(PoseAt pose_at, double stamp, double duration, sim::Random& random) const {
-    ScanBeams beams{stamp, -3.14159265, 0.0174532925, duration / 360.0, 0.05, 12.0, {}};
-    for (int i = 0; i < 360; ++i) {
-      const Pose2 pose = pose_at(stamp + beams.time_increment * i);
-      beams.ranges.push_back(range(pose, beams.angle_min + beams.angle_increment * i) +
-                             static_cast<float>(0.01 * random.normal()));
-    }
-    return beams;
-  }
-};
-
-std::vector<Eigen::Vector2d> pointsFrom(const Room& room, const Pose2& pose, sim::Random& random) {
+std::vector<Eigen::Vector2d> pointsFrom(const SegmentRoom& room, const Pose2& pose,
+                                        sim::Random& random) {
   const auto still = [&pose](double) { return pose; };
   return pointsOf(room.scan(still, 0.0, 0.0, random), {}, TrackPiece({{0.0, Pose2{}}}), 0.0);
 }
@@ -74,22 +23,27 @@ ScanLocaliser localiser(const LocaliserParameters& parameters = {}) {
   return ScanLocaliser(parameters, std::make_unique<IcpMatcher>());
 }
 
+/// A guess that may be half a metre off.
+PoseEstimate about(const Pose2& pose) {
+  return {0.0, pose, Eigen::Matrix3d::Identity() * 0.04};
+}
+
 double distance(const Pose2& a, const Pose2& b) {
   return (a.position() - b.position()).norm();
 }
 
 TEST(ScanLocaliser, FindsWhereAScanWasTaken) {
-  const Room room = Room::furnished();
+  const SegmentRoom room = SegmentRoom::furnished();
   sim::Random random(1);
   ScanLocaliser scans = localiser();
-  EXPECT_FALSE(scans.match(pointsFrom(room, {}, random), {}).found) << "there is no map yet";
+  EXPECT_FALSE(scans.match(pointsFrom(room, {}, random), about({})).found) << "there is no map yet";
   scans.learn(MatchVerdict::kNotFound, {});
   for (int run = 0; run < 50; ++run) {
     const Pose2 truth{random.uniform(-0.6, 0.6), random.uniform(-0.6, 0.6),
                       random.uniform(-0.5, 0.5)};
     const Pose2 guess = composed(truth, {random.uniform(-0.15, 0.15), random.uniform(-0.15, 0.15),
                                          random.uniform(-0.1, 0.1)});
-    const ScanMatch match = scans.match(pointsFrom(room, truth, random), guess);
+    const ScanMatch match = scans.match(pointsFrom(room, truth, random), about(guess));
     ASSERT_TRUE(match.found);
     EXPECT_LT(distance(match.pose, truth), 0.02) << run;
     EXPECT_NEAR(match.pose.heading, truth.heading, 0.01) << run;
@@ -100,12 +54,12 @@ TEST(ScanLocaliser, FindsWhereAScanWasTaken) {
 }
 
 TEST(ScanLocaliser, SaysThatACorridorLeavesItsLengthOpen) {
-  const Room room = Room::corridor();
+  const SegmentRoom room = SegmentRoom::corridor();
   sim::Random random(2);
   ScanLocaliser scans = localiser();
-  scans.match(pointsFrom(room, {}, random), {});
+  scans.match(pointsFrom(room, {}, random), about({}));
   scans.learn(MatchVerdict::kNotFound, {});
-  const ScanMatch match = scans.match(pointsFrom(room, {0.0, 0.05, 0.0}, random), {});
+  const ScanMatch match = scans.match(pointsFrom(room, {0.0, 0.05, 0.0}, random), about({}));
   ASSERT_TRUE(match.found);
   EXPECT_NEAR(match.pose.y, 0.05, 0.02);
   EXPECT_GT(match.covariance(0, 0), 25.0 * match.covariance(1, 1));
@@ -114,18 +68,18 @@ TEST(ScanLocaliser, SaysThatACorridorLeavesItsLengthOpen) {
 TEST(ScanLocaliser, DoesNotFitAnotherRoom) {
   sim::Random random(3);
   ScanLocaliser scans = localiser();
-  scans.match(pointsFrom(Room::furnished(), {}, random), {});
+  scans.match(pointsFrom(SegmentRoom::furnished(), {}, random), about({}));
   scans.learn(MatchVerdict::kNotFound, {});
-  Room other;
+  SegmentRoom other;
   other.box(-7.0, -1.2, 8.5, 2.4);
-  const ScanMatch match = scans.match(pointsFrom(other, {}, random), {});
+  const ScanMatch match = scans.match(pointsFrom(other, {}, random), about({}));
   const TrackerParameters limits;
   EXPECT_TRUE(!match.found || match.overlap < limits.min_overlap || match.rms > limits.max_rms)
       << match.overlap << " " << match.rms;
 }
 
 TEST(ScanLocaliser, FindsItselfInAGivenMap) {
-  const Room room = Room::furnished();
+  const SegmentRoom room = SegmentRoom::furnished();
   sim::Random random(4);
   MapCells map{-5.0, -4.0, 0.05, 200, 160, std::vector<MapCell>(200 * 160, MapCell::kUnknown)};
   for (const auto& segment : room.segments) {
@@ -142,7 +96,7 @@ TEST(ScanLocaliser, FindsItselfInAGivenMap) {
     const Pose2 truth{random.uniform(-1.0, 1.0), random.uniform(-1.0, 0.8),
                       random.uniform(-3.0, 3.0)};
     const Pose2 guess = composed(truth, {0.2, -0.15, 0.1});
-    const ScanMatch match = scans.match(pointsFrom(room, truth, random), guess);
+    const ScanMatch match = scans.match(pointsFrom(room, truth, random), about(guess));
     ASSERT_TRUE(match.found);
     EXPECT_LT(distance(match.pose, truth), 0.05) << run;
     scans.learn(MatchVerdict::kAccepted, match.pose);
@@ -151,7 +105,7 @@ TEST(ScanLocaliser, FindsItselfInAGivenMap) {
 }
 
 TEST(ScanPoints, TakesOutWhatTheRobotMovedBetweenTheBeams) {
-  const Room room = Room::furnished();
+  const SegmentRoom room = SegmentRoom::furnished();
   sim::Random random(5);
   // A quick turn, 0.1 s a scan: 0.15 rad between the first beam and the last.
   const auto pose_at = [](double stamp) { return advanced({}, {0.5, 0.0, 1.5}, stamp); };
@@ -159,12 +113,12 @@ TEST(ScanPoints, TakesOutWhatTheRobotMovedBetweenTheBeams) {
   const TrackPiece track({{0.0, pose_at(0.0)}, {0.05, pose_at(0.05)}, {0.1, pose_at(0.1)}});
   const auto points = pointsOf(beams, {}, track, beams.end());
   ScanLocaliser scans = localiser();
-  scans.match(pointsFrom(room, {}, random), {});
+  scans.match(pointsFrom(room, {}, random), about({}));
   scans.learn(MatchVerdict::kNotFound, {});
   const Pose2 truth = pose_at(beams.end());
-  const ScanMatch straightened = scans.match(points, truth);
+  const ScanMatch straightened = scans.match(points, about(truth));
   const ScanMatch skewed =
-      scans.match(pointsOf(beams, {}, TrackPiece({{0.0, Pose2{}}}), beams.end()), truth);
+      scans.match(pointsOf(beams, {}, TrackPiece({{0.0, Pose2{}}}), beams.end()), about(truth));
   EXPECT_NEAR(wrapped(straightened.pose.heading - truth.heading), 0.0, 0.01);
   EXPECT_LT(straightened.rms, skewed.rms);
   EXPECT_GT(std::abs(wrapped(skewed.pose.heading - truth.heading)), 0.03);
@@ -202,7 +156,7 @@ TEST(PointMap, KeepsItsBounds) {
 
 /// Drives loops in a room with odometry that turns too much; scans ten times a second.
 TEST(ScanLocaliser, KeepsADriftingRobotNearTheTruth) {
-  const Room room = Room::furnished();
+  const SegmentRoom room = SegmentRoom::furnished();
   sim::Random random(7);
   PoseTracker tracker({});
   ScanLocaliser scans = localiser();
@@ -216,7 +170,7 @@ TEST(ScanLocaliser, KeepsADriftingRobotNearTheTruth) {
     ASSERT_EQ(tracker.addOdometry(stamp, odometry), OdometryVerdict::kTaken);
     if (i % 5 != 0) continue;
     const auto points = pointsFrom(room, truth, random);
-    const Pose2 predicted = tracker.newest().pose;
+    const PoseEstimate predicted = tracker.newest();
     const MatchVerdict verdict = tracker.correct(stamp, scans.match(points, predicted));
     scans.learn(verdict, tracker.newest().pose);
     if (verdict == MatchVerdict::kAccepted) ++accepted;

@@ -8,7 +8,8 @@
 namespace pilothouse {
 namespace {
 
-constexpr int kFewest = 5;           // points for a line
+constexpr std::size_t kFewest = 5;   // points for a line
+constexpr double kEnd = 0.25;        // of the radius: a line that goes on no farther ends there
 constexpr double kNarrow = 0.1;      // of a line: variance across / along
 constexpr double kEdgeRadius = 3.2;  // of a given map, in its cells
 constexpr std::size_t kDirections = 240;
@@ -77,14 +78,12 @@ void PointMap::forgetFar(const Eigen::Vector2d& from) {
   }
 }
 
-/// Nothing where too few points are so near.
-std::optional<Eigen::Vector2d> PointMap::normalAt(const Eigen::Vector2d& place,
-                                                  double radius) const {
+std::optional<MapPoint> PointMap::pointAt(const Eigen::Vector2d& place, double radius) const {
   const int reach = static_cast<int>(std::ceil(radius / parameters_.cell));
   const std::int32_t middle_x = column(place.x()), middle_y = column(place.y());
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   Eigen::Matrix2d squares = Eigen::Matrix2d::Zero();
-  int count = 0;
+  std::vector<Eigen::Vector2d> offsets;
   for (int y = -reach; y <= reach; ++y) {
     for (int x = -reach; x <= reach; ++x) {
       const auto found = squares_.find(keyOf(middle_x + x, middle_y + y));
@@ -93,17 +92,27 @@ std::optional<Eigen::Vector2d> PointMap::normalAt(const Eigen::Vector2d& place,
       if (offset.norm() > radius) continue;
       sum += offset;
       squares += offset * offset.transpose();
-      ++count;
+      offsets.push_back(offset);
     }
   }
-  if (count < kFewest) return std::nullopt;
+  if (offsets.size() < kFewest) return std::nullopt;
+  const double count = static_cast<double>(offsets.size());
   const Eigen::Vector2d mean = sum / count;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(squares / count -
                                                             mean * mean.transpose());
   if (axes.eigenvalues()(0) > kNarrow * axes.eigenvalues()(1)) {
-    return Eigen::Vector2d(Eigen::Vector2d::Zero());
+    return MapPoint{place};
   }
-  return Eigen::Vector2d(axes.eigenvectors().col(0));
+  MapPoint point{place, axes.eigenvectors().col(0)};
+  const Eigen::Vector2d along = axes.eigenvectors().col(1);
+  double back = 0.0, on = 0.0;
+  for (const Eigen::Vector2d& offset : offsets) {
+    back = std::min(back, along.dot(offset));
+    on = std::max(on, along.dot(offset));
+  }
+  if (on < kEnd * radius) point.beyond = along;
+  if (-back < kEnd * radius) point.beyond = -along;
+  return point;
 }
 
 std::vector<MapPoint> PointMap::points() const {
@@ -113,9 +122,9 @@ std::vector<MapPoint> PointMap::points() const {
     if (!counts(entry.second)) continue;
     const Eigen::Vector2d& place = entry.second.mean;
     for (const double radius : {1.0, 2.0, 4.0}) {
-      const auto normal = normalAt(place, radius * parameters_.line_radius);
-      if (!normal) continue;
-      points.push_back({place, *normal});
+      const auto point = pointAt(place, radius * parameters_.line_radius);
+      if (!point) continue;
+      points.push_back(*point);
       break;
     }
   }

@@ -63,7 +63,8 @@ class PointMap {
   /// Takes a sighting off each square that was seen through.
   void seeThrough(const std::vector<Eigen::Vector2d>& points, const Pose2& pose,
                   const Eigen::Vector2d& from);
-  std::optional<Eigen::Vector2d> normalAt(const Eigen::Vector2d& place, double radius) const;
+  /// With the line that the points about it form; nothing where too few are so near.
+  std::optional<MapPoint> pointAt(const Eigen::Vector2d& place, double radius) const;
   void forgetFar(const Eigen::Vector2d& from);
 
   PointMapParameters parameters_;

@@ -20,7 +20,7 @@ constexpr double kFarthest = 1e5;        // of a pose in a map [m]
 constexpr double kConstant = 5.0;        // over so long a gyroscope's constant error is one [s]
 // Wheels that slip are wrong again and again: each match so surprising (squared Mahalanobis
 // distance; 1 right one in 100) makes odometry's variance larger, each other one less so.
-constexpr double kSurprise = 11.3, kDoubt = 2.0, kTrust = 0.9, kMostSlip = 25.0;
+constexpr double kSurprise = 11.3, kDoubt = 2.0, kTrust = 0.9, kMostSlip = 9.0;
 // Before matches are believed against odometry: at least so many, none later than so after another
 // [s], and so much of each scan found in the map.
 constexpr int kFewestAgreeing = 10;
@@ -77,8 +77,13 @@ PoseTracker::Step PoseTracker::stepTo(double stamp, const Pose2& T_odom_base) {
   Step step{relative(last.odom, T_odom_base), 0.0};
   const double way = step.delta.position().norm(), turn = std::abs(step.delta.heading);
   const bool still = way < kStandingStill && turn < kStandingStill;
-  const double wheels = slip_ * (parameters_.way_turn_error * parameters_.way_turn_error * way +
-                                 parameters_.turn_error * parameters_.turn_error * turn);
+  step.delta.x *= scale_.way();
+  step.delta.y *= scale_.way();
+  step.delta.heading *= scale_.turn();
+  // A scale that is not known well errs by itself on each radian alike.
+  const double turn_error = parameters_.turn_error * parameters_.turn_error + scale_.turnVariance();
+  const double wheels =
+      slip_ * (parameters_.way_turn_error * parameters_.way_turn_error * way + turn_error * turn);
   step.turn_variance = wheels;
   if (still) {
     gyro_.stood(last.stamp, stamp);
@@ -108,7 +113,8 @@ Eigen::Matrix3d PoseTracker::grown(const Eigen::Matrix3d& covariance, const Pose
     const Eigen::Vector2d along = way / length, across(-along.y(), along.x());
     noise.topLeftCorner<2, 2>() =
         slip_ * length *
-        (parameters_.way_error * parameters_.way_error * along * along.transpose() +
+        ((parameters_.way_error * parameters_.way_error + scale_.wayVariance()) * along *
+             along.transpose() +
          parameters_.side_error * parameters_.side_error * across * across.transpose());
   }
   noise(2, 2) = turn_variance;
@@ -143,11 +149,15 @@ OdometryVerdict PoseTracker::addOdometry(double stamp, const Pose2& T_odom_base)
     if (!same) last.map = T_odom_base, last.covariance = kFirstSpread.cwiseAbs2().asDiagonal();
     entries_.assign(1, {stamp, T_odom_base, last.reckoned, last.map, last.covariance, 0.0});
     gyro_.clear();
+    scale_.restart();
+    jumped_at_ = stamp;
     refused_ = 0;
     ++epoch_;
     return verdict;
   }
   if (jumped) {
+    jumped_at_ = stamp;
+    scale_.restart();
     entries_.push_back({stamp, T_odom_base, last.reckoned, last.map, last.covariance, 0.0});
     verdict = OdometryVerdict::kJumped;
   } else {
@@ -244,6 +254,7 @@ std::optional<std::string> PoseTracker::setPose(const PoseEstimate& wanted) {
   // Nobody sets a pose exactly; a filter that believed so would never move again.
   estimate.covariance += Eigen::Matrix3d(kFirstSpread.cwiseAbs2().asDiagonal());
   refused_ = 0;
+  scale_.restart();
   ++epoch_;
   if (entries_.empty()) {
     pending_ = estimate;
@@ -312,8 +323,18 @@ MatchVerdict PoseTracker::correct(double stamp, const ScanMatch& match) {
     after.covariance =
         left * predicted.covariance * left.transpose() + gain * match.covariance * gain.transpose();
   }
+  if (verdict == MatchVerdict::kRelocated) scale_.restart();
+  if (verdict == MatchVerdict::kAccepted && stamp > jumped_at_) {
+    scale_.learn(stamp, match, odometryAt(found->first, stamp));
+  }
   replace(found->first, predicted, after);
   return verdict;
+}
+
+Pose2 PoseTracker::odometryAt(std::size_t next, double stamp) const {
+  if (next == 0) return entries_.front().odom;
+  const Entry &before = entries_[next - 1], &after = entries_[next];
+  return between(before.odom, after.odom, (stamp - before.stamp) / (after.stamp - before.stamp));
 }
 
 }  // namespace pilothouse

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <cstdint>
 #include <deque>
 #include <optional>
@@ -11,6 +12,7 @@
 #include "core/pose/gyro_angle.hpp"
 #include "core/pose/scan_matcher.hpp"
 #include "core/pose/tracker_parameters.hpp"
+#include "core/pose/wheel_scale.hpp"
 
 namespace pilothouse {
 
@@ -42,10 +44,11 @@ enum class MatchVerdict {
 };
 const char* nameOf(MatchVerdict verdict);
 
-/// Dead reckoning from odometry, turned by the gyroscope where there is one, corrected by matches
-/// of scans with the map: an extended Kalman filter on x, y, heading that lays a late match upon
-/// the time at which its scan was taken and counts on from there (Thrun et al., Probabilistic
-/// Robotics, 2005, ch. 3 and 7). Time is an argument. One thread at a time.
+/// Dead reckoning from odometry, freed from what the wheels miscount all the time, turned by the
+/// gyroscope where there is one, corrected by matches of scans with the map: an extended Kalman
+/// filter on x, y, heading that lays a late match upon the time at which its scan was taken and
+/// counts on from there (Thrun et al., Probabilistic Robotics, 2005, ch. 3 and 7). Time is an
+/// argument. One thread at a time.
 class PoseTracker {
  public:
   explicit PoseTracker(const TrackerParameters& parameters) : parameters_(parameters) {}
@@ -75,6 +78,8 @@ class PoseTracker {
   double lastDistance() const { return last_distance_; }
   /// Rises with each pose that was set by hand or lost to time: matches begun before are void.
   std::uint64_t epoch() const { return epoch_; }
+  /// What the wheels count too much or too little all the time.
+  const WheelScale& scale() const { return scale_; }
 
  private:
   struct Entry {
@@ -95,11 +100,15 @@ class PoseTracker {
   /// The first entry not before the stamp, and the estimate there.
   std::optional<std::pair<std::size_t, PoseEstimate>> find(double stamp) const;
   void replace(std::size_t next, const PoseEstimate& before, const PoseEstimate& after);
+  /// As the wheels count, between the entries.
+  Pose2 odometryAt(std::size_t next, double stamp) const;
   MatchVerdict judge(const PoseEstimate& predicted, const ScanMatch& match);
   bool agreesWithRefused(const PoseEstimate& predicted, const ScanMatch& match);
 
   TrackerParameters parameters_;
   GyroAngle gyro_;
+  WheelScale scale_;
+  double jumped_at_ = -INFINITY;  ///< odometry began anew there [s]
   std::deque<Entry> entries_;
   std::optional<PoseEstimate> pending_;  ///< set before any odometry
   Pose2 refused_shift_;                  ///< T_map_new: what the first of the refused asks for

@@ -32,9 +32,9 @@ class ScanLocaliser {
   void give(const std::vector<MapPoint>& map);
   /// Forgets its own map; a given one stays.
   void restart();
-  /// @param points in the base frame [m], not thinned. @param predicted T_map_base.
+  /// @param points in the base frame [m], not thinned. @param predicted where the robot may be.
   /// @param from where the sensor sits, base frame [m].
-  ScanMatch match(const std::vector<Eigen::Vector2d>& points, const Pose2& predicted,
+  ScanMatch match(const std::vector<Eigen::Vector2d>& points, const PoseEstimate& predicted,
                   const Eigen::Vector2d& from = Eigen::Vector2d::Zero());
   /// What became of the last match. @param pose T_map_base after it, or predicted where it was
   /// refused: new places enter the map, and so does the first scan.
@@ -58,6 +58,7 @@ class ScanLocaliser {
   std::vector<Eigen::Vector2d> last_;  ///< thinned
   Eigen::Vector2d last_from_ = Eigen::Vector2d::Zero();
   std::optional<Pose2> keyframe_;
+  int refused_ = 0;  ///< scans in a row that did not fit where the robot was thought to be
 };
 
 }  // namespace pilothouse

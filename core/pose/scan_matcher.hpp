@@ -13,6 +13,9 @@ struct MapPoint {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< map [m]
   /// Unit, across the line that the points around form; zero where they form none.
   Eigen::Vector2d normal = Eigen::Vector2d::Zero();
+  /// Unit, along that line to where it ends here: what lies beyond has not been seen. Zero where it
+  /// goes on both ways.
+  Eigen::Vector2d beyond = Eigen::Vector2d::Zero();
 };
 
 /// Where a scan fits the map best.
@@ -32,7 +35,11 @@ class ScanMatcher {
   virtual ~ScanMatcher() = default;
   virtual void setTarget(const std::vector<MapPoint>& map) = 0;
   /// @param points in the base frame [m], finite. @param guess T_map_base to begin at.
-  virtual ScanMatch match(const std::vector<Eigen::Vector2d>& points, const Pose2& guess) = 0;
+  /// @param spread covariance of the guess, positive definite: what the scan leaves open stays near
+  /// the guess, and nobody looks for the map farther off than that. What is found says nothing of
+  /// the guess all the same.
+  virtual ScanMatch match(const std::vector<Eigen::Vector2d>& points, const Pose2& guess,
+                          const Eigen::Matrix3d& spread) = 0;
 };
 
 }  // namespace pilothouse
