@@ -35,15 +35,15 @@ const EvalCommand kCommand{
 
 constexpr double kMostError = 0.05;  // [m]
 constexpr double kMostShare = 0.5;   // of the raw error
-constexpr double kMostLaserShare = 0.2;
+constexpr double kMostLaserShare = 0.12;
 constexpr double kMostLevelShare = 0.35;
 constexpr double kMostTourError = 0.05, kMostTourMax = 0.1;  // of the furnished room's tour [m]
 // Of the way and the turns that the wheels count, without a gyroscope: what a scan corrects must
 // never be worse than what they say.
 constexpr double kSlips[] = {0.15, 0.3};
-constexpr double kMostSlippingShare = 0.4;
+constexpr double kMostSlippingShare = 0.25;
 // The virtual scan tells cells, and not far: often there is nothing to hold on to.
-constexpr double kMostVirtualShare = 0.75;
+constexpr double kMostVirtualShare = 0.65;
 
 int report(const std::vector<Bar>& bars, JsonLine& summary) {
   bool pass = true;
