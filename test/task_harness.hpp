@@ -83,7 +83,8 @@ class TaskHarness {
   Pose2 pose;
   ExecutorReport report;
   bool localised = true, halted = false, hand = false;
-  bool held = false;  ///< nothing lets it drive on; it can turn and go back
+  bool held = false;   ///< nothing lets it drive on; it can turn and go back
+  bool looks = false;  ///< goes back to look at what holds it
   DriveOrder order;
   int orders = 0, turns = 0;
   TaskerOutput output;
@@ -95,6 +96,12 @@ class TaskHarness {
     report.stamp = now;
     report.text.clear();
     if (order.poses.empty()) return;
+    if (looks && order.poses.size() > 1) {
+      report.state = ExecutorReport::kDriving;
+      report.text = "looks again";
+      pose.heading += 0.05;  // it turns to what it looks at
+      return;
+    }
     const bool stays = halted || (held && order.poses.size() > 1);
     if (stays) {
       report.state = ExecutorReport::kWaiting;

@@ -117,6 +117,33 @@ TEST(GoTo, HeldWithinItsToleranceOfTheGoalItOnlyTurns) {
   EXPECT_FALSE(robot.was(NavigationPhase::kBacking));
 }
 
+// What holds it is looked at once: by the executor, which goes back for it.
+TEST(GoTo, WhileTheExecutorLooksItWaitsAndDoesNotLookRoundAfterIt) {
+  TaskHarness robot(hall().map);
+  robot.goTo(5.0, 1.5);
+  robot.runUntil([&] { return robot.pose.x > 2.2; });
+  robot.held = true;
+  robot.runUntil([] { return false; }, 0.5);
+  const int orders = robot.orders;
+  robot.looks = true;
+  robot.runUntil([] { return false; }, 8.0);
+  EXPECT_EQ(robot.orders, orders) << "it is let look, longer than the patience is";
+  robot.looks = false;
+  ASSERT_TRUE(robot.runUntil([&] { return robot.was(NavigationPhase::kBacking); }, 10.0));
+  EXPECT_FALSE(robot.was(NavigationPhase::kLooking));
+  ASSERT_TRUE(robot.runToEnd());
+  EXPECT_TRUE(robot.was(NavigationPhase::kLooking)) << "but later it looks all round too";
+}
+
+TEST(GoTo, AnExecutorThatLooksForeverIsNotWaitedFor) {
+  TaskHarness robot(hall().map);
+  robot.goTo(5.0, 1.5);
+  robot.runUntil([&] { return robot.pose.x > 2.2; });
+  robot.looks = true;
+  ASSERT_TRUE(robot.runToEnd());
+  EXPECT_EQ(robot.output.task.phase, TaskPhase::kFailed);
+}
+
 TEST(GoTo, StuckItLooksRoundBacksOffAndGivesUpWithTheReason) {
   NavigationParameters parameters;
   parameters.tries = 2;

@@ -69,7 +69,7 @@ struct ExecutorOutput {
   ExecutorState state = ExecutorState::kIdle;
   std::size_t target = 0;      ///< index of the point driven to
   double distance_left = 0.0;  ///< along the route; of a loop, to the end of this round [m]
-  std::string text;            ///< what it does, where that is not plain
+  std::string text;  ///< waiting: why; driving: that it looks again at what holds it, else none
 };
 
 /// Drives the base along a route: newest pose in, wanted twist out. Progress is measured along the

@@ -17,6 +17,8 @@ constexpr double kHeardAfter = 0.15;  // reports so soon after an order may be o
 constexpr double kGotOn = 0.05;       // nearer by so much is getting on [m]
 constexpr double kTurned = 0.15;      // and so is turning by so much [rad] ...
 constexpr double kLongestTurn = 12.0;  // ... for so long [s]
+constexpr double kLongestLook = 12.0;  // the executor is let look for so long [s]
+constexpr double kSamePlace = 0.8;     // held so near to where it looked it is the same case [m]
 constexpr double kHeldAtGoal = 0.25;   // within its tolerance that is as near as it gets [s]
 constexpr double kTrailStep = 0.05;    // [m]
 constexpr std::size_t kTrail = 100;
@@ -69,6 +71,8 @@ void GoalNavigator::forget() {
   settling_ = false;
   looked_from_.clear();
   avoided_.clear();
+  looked_at_.reset();
+  executor_looks_ = false;
 }
 
 void GoalNavigator::enter(NavigationPhase phase) {
@@ -190,7 +194,30 @@ void GoalNavigator::hear(const NavigationInput& input) {
   const NavigationPhase phase = waits ? NavigationPhase::kWaiting : NavigationPhase::kDriving;
   if (phase != phase_) enter(phase);
   text_ = input.executor.text;
+  letLook(input, !waits && !text_.empty());
   if (waits && now_ - since_ > kHeldAtGoal) settle(input);
+}
+
+/// Going back to look at what holds the robot is the executor's part, which alone knows what that
+/// is: meanwhile nobody is stuck. Once in a place: held there again, the next measure comes.
+void GoalNavigator::letLook(const NavigationInput& input, bool looks) {
+  if (looks && !executor_looks_) {
+    looking_since_ = hasLooked(input) ? -HUGE_VAL : now_;
+    looked_at_ = input.pose->position();
+  }
+  const bool first = now_ - looking_since_ < kLongestLook;
+  if (looks) {
+    turned_on_ = got_on_;  // turning to look is not getting on
+    if (first) got_on_ = turned_on_ = now_;
+  } else if (executor_looks_ && first) {
+    best_left_ = left();  // on from where it went back to
+  }
+  executor_looks_ = looks;
+}
+
+/// Whether the executor has looked at what holds the robot here.
+bool GoalNavigator::hasLooked(const NavigationInput& input) const {
+  return looked_at_ && (*looked_at_ - input.pose->position()).norm() < kSamePlace;
 }
 
 /// Held within the tolerance of the goal it is there: nearer it would not be let, and the executor,
@@ -224,7 +251,8 @@ NavigationOutput GoalNavigator::step(const NavigationInput& input) {
   const double dt = input.now - now_;
   // Time was set back, or this is the first step: what is measured begins now.
   if (begins_ || dt < 0.0) {
-    since_ = sent_ = sought_ = got_on_ = turned_on_ = lengthened_ = placed_ = input.now;
+    since_ = sent_ = sought_ = got_on_ = turned_on_ = lengthened_ = placed_ = looking_since_ =
+        input.now;
     begins_ = false;
   }
   now_ = input.now;

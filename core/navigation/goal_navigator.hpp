@@ -26,7 +26,7 @@ struct ExecutorReport {
   enum State { kNone, kIdle, kDriving, kWaiting, kReached, kRefused };
   State state = kNone;
   double stamp = 0.0;  ///< when it said so [s]
-  std::string text;
+  std::string text;    ///< driving: it goes back to look at what holds it; none: it drives its way
 };
 
 struct NavigationInput {
@@ -106,6 +106,8 @@ class GoalNavigator {
   void follow(const NavigationInput& input, double dt);
   void drive(const NavigationInput& input);
   void hear(const NavigationInput& input);
+  void letLook(const NavigationInput& input, bool looks);
+  bool hasLooked(const NavigationInput& input) const;
   void settle(const NavigationInput& input);
   void arrive(const NavigationInput& input);
   bool replan(const NavigationInput& input);
@@ -171,6 +173,9 @@ class GoalNavigator {
   Measure measure_ = Measure::kReplan;
   double stuck_off_ = 0.0;  ///< from the goal when it first was stuck [m]
   std::string stuck_by_;
+  bool executor_looks_ = false;               ///< at what holds it
+  std::optional<Eigen::Vector2d> looked_at_;  ///< where it stood when it began to
+  double looking_since_ = 0.0;                ///< [s]
   Pose2 look_from_;
   std::deque<Pose2> trail_;
   std::vector<Planner::Mark> avoided_;        ///< where it was held though the way is free

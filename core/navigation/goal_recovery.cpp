@@ -58,7 +58,9 @@ void GoalNavigator::stuck(const NavigationInput& input) {
     measure_ = Measure::kBack;
     if (path_.empty() && (lookAtBlock(input) || goPastHidden(input))) return;
     if (ended()) return;
-    if (parameters_.look_angle > 0.0) return lookRound(input);
+    // At what holds it the executor has looked; later all round is tried too.
+    const bool looked = hasLooked(input) && tries_ == 0;
+    if (parameters_.look_angle > 0.0 && !looked) return lookRound(input);
   }
   if (measure_ == Measure::kBack) {
     measure_ = Measure::kRest;
