@@ -71,6 +71,49 @@ TEST(ExecutorHeld, HeldByWhatIsOnlyRememberedItGoesBackToLookThreeTimesThenWaits
   }
 }
 
+TEST(ExecutorHeld, ANewOrderOnTheWayLeavesItTheWayBack) {
+  HeldDrive held(Hold::kRemembered);
+  while (held.robot.pose().x < 0.995) held.step();
+  held.executor.drive({{3, 0.1}}, std::nullopt, false, held.robot.pose());
+  double farthest = 0.0, back = 0.0;
+  for (int i = 0; i < 50 * 8; ++i) {
+    held.step();
+    farthest = std::max(farthest, held.robot.pose().x);
+    back = std::max(back, farthest - held.robot.pose().x);
+  }
+  EXPECT_GT(back, 0.3) << "it went back to look";
+}
+
+TEST(ExecutorHeld, AnOrderFromElsewhereHasNoWayBack) {
+  HeldDrive held(Hold::kRemembered);
+  while (held.robot.pose().x < 0.995) held.step();
+  const Pose2 elsewhere{5.0, 5.0, 0.0};  // in another frame, say
+  held.executor.drive({{9.0, 5.0}}, std::nullopt, false, elsewhere);
+  ExecutorInput input;
+  for (input.now = held.now; input.now < held.now + 3.0; input.now += kStep) {
+    input.pose = elsewhere;
+    input.hold = Hold::kRemembered;
+    EXPECT_GE(held.executor.step(input).wanted.vx, 0.0);
+  }
+}
+
+TEST(ExecutorHeld, HeldWhileItTurnsToLookItDoesNotGoOnTurning) {
+  const BaseParameters base = baseOf(BaseKind::kDifferential);
+  MotionExecutor executor({}, base);
+  executor.drive({{3, 0}}, std::nullopt, false, {});
+  ExecutorInput input;
+  input.hold = Hold::kRemembered;
+  input.held_by = Eigen::Vector2d(0.0, 0.4);  // beside it
+  double looked = 0.0;
+  for (; input.now < 10.0; input.now += kStep) {
+    const bool looks = executor.step(input).text == "looks again";
+    if (looked > 0.0 && !looks) break;
+    if (looks) looked += kStep;
+  }
+  EXPECT_GT(looked, 0.5);
+  EXPECT_LT(looked, 2.0) << "held, it cannot turn: it need not try for 6 s";
+}
+
 TEST(ExecutorHeld, GoesOnWhenTheLookShowsThatTheWayIsFree) {
   HeldDrive held(Hold::kRemembered);
   ExecutorOutput output;

@@ -20,6 +20,8 @@ constexpr double kWindow = 0.5;      // progress is sought so far along the way 
 constexpr double kAtStop = 0.01;     // so near a stop it has arrived [m]
 constexpr double kTrailStep = 0.02;  // [m]
 constexpr std::size_t kTrail = 60;
+constexpr double kSameTrail = 0.1;     // so near its end the trail leads on [m]
+constexpr double kHeldLook = 1.0;      // held so long while it turns to look it looks from here [s]
 constexpr double kPullAhead = 0.12;    // going back it aims so far along the trail [m]
 constexpr double kLookTime = 0.5;      // it stands so long to look [s]
 constexpr double kLooksAt = 0.2;       // so near the camera's middle is well seen [rad]
@@ -112,7 +114,8 @@ void MotionExecutor::drive(const std::vector<Vector2d>& points, std::optional<do
   end_heading_ = route_.loop() ? std::nullopt : heading;
   kept_ = pose.heading;
   last_pose_.reset();
-  trail_.clear();
+  // A new order does not alter where it came along, unless it is of another frame or place.
+  if (!trail_.empty() && (trail_.back() - pose.position()).norm() > kSameTrail) trail_.clear();
   looked_ = 0;
   approaches_ = 0;
   enter(route_.empty() ? Phase::kSettle : Phase::kFollow, last_now_);
@@ -210,7 +213,10 @@ Twist2 MotionExecutor::goBack(const ExecutorInput& input) {
 Twist2 MotionExecutor::look(const ExecutorInput& input) {
   const Vector2d seen = look_at_ ? input.pose.toBase(*look_at_) : Vector2d(1.0, 0.0);
   const double bearing = std::atan2(seen.y(), seen.x());
-  if (std::abs(bearing) > kLooksAt && input.now - phase_since_ < kLongestTurn) {
+  if (input.hold == Hold::kNone) held_since_ = -1.0;
+  if (input.hold != Hold::kNone && held_since_ < 0.0) held_since_ = input.now;
+  const bool held = held_since_ >= 0.0 && input.now - held_since_ > kHeldLook;
+  if (std::abs(bearing) > kLooksAt && input.now - phase_since_ < kLongestTurn && !held) {
     turned_since_ = input.now;
     return tracker_.turnTo(wrapped(input.pose.heading + bearing), input.pose);
   }
