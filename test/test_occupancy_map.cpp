@@ -197,6 +197,21 @@ TEST(OccupancyMap, BeamWithoutReturnClearsOnlySoFarAndNanNothing) {
   EXPECT_EQ(at(map, 0.0, 1.5), MapCell::kFree);
 }
 
+TEST(OccupancyMap, ReachesRoundTheRobotWhereverItStands) {
+  for (const double x : {-0.81, -0.01, 0.0, 0.79}) {
+    for (const double heading : {0.0, 2.5}) {
+      OccupancyMap map({});
+      look(map, openFloor(), 1, {x, -0.01, heading});
+      MapCells cells;
+      map.snapshot(cells);
+      for (const double side : {-0.4, 0.4}) {
+        EXPECT_TRUE(cells.contains(cells.column(x + side), cells.row(-0.01 - side)))
+            << x << " " << heading;
+      }
+    }
+  }
+}
+
 TEST(OccupancyMap, RefusesPosesAndGrowsNoFartherThanItsSquare) {
   OccupancyParameters parameters;
   parameters.max_side = 4.0;

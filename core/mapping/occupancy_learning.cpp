@@ -167,7 +167,22 @@ const char* OccupancyMap::addFloor(const FloorFrame& frame, const Pose2& pose) {
     const Vector2d p = pose.toBase(centreOf(place));
     return mayBeFoot(frame, p.x(), p.y());
   });
+  reachRound(pose);
   return nullptr;
+}
+
+void OccupancyMap::reachRound(const Pose2& pose) {
+  if (block_count_ == 0) return;
+  constexpr double kRound = 0.5;  // [m]
+  const std::size_t before = block_count_;
+  const CellPlace low = cellOf(pose.x - kRound, pose.y - kRound);
+  const CellPlace high = cellOf(pose.x + kRound, pose.y + kRound);
+  for (int row = blockOf(low.iy); row <= blockOf(high.iy); ++row) {
+    for (int column = blockOf(low.ix); column <= blockOf(high.ix); ++column) {
+      ensureBlock(column, row);
+    }
+  }
+  if (block_count_ != before) ++version_;
 }
 
 const char* OccupancyMap::addScan(const PlanarScan& scan, const Pose2& pose) {

@@ -86,6 +86,8 @@ class OccupancyMap {
 
  private:
   const char* begin(const Pose2& T_map_base);
+  /// The map reaches round the robot, though its camera does not see where it stands.
+  void reachRound(const Pose2& pose);
   void markFloor(const FloorFrame& frame, const Pose2& pose);
   void lookAtFloor(const FloorFrame& frame, const Pose2& pose);
   void markDisc(const Obstacle& object, const Eigen::Vector2d& centre);
