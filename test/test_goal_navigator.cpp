@@ -264,6 +264,35 @@ TEST(GoTo, GivesUpWithoutAPoseAndWithoutAMap) {
   EXPECT_EQ(output.status.text, textOf(NoWay::kNoMap));
 }
 
+// On a slow computer the first of the floor that it sees is learnt before the place where it
+// stands.
+TEST(GoalNavigator, WaitsForAMapThatHasJustBegunToReachTheRobot) {
+  for (const bool grows : {true, false}) {
+    Planner planner({}, Footprint({{0.2, 0.2}, {-0.2, 0.2}, {0.0, -0.2}}), BaseKind::kDifferential);
+    const MapCells all = hall().map;
+    MapCells begun = all;
+    begun.origin_x += 100.0;
+    planner.setMap(begun);
+    GoalNavigator navigator({}, planner);
+    navigator.start({{2.0, 1.5}, std::nullopt});
+    NavigationInput input;
+    input.pose = Pose2{1.0, 1.5, 0.0};
+    NavigationOutput output;
+    bool driven = false;
+    for (input.now = 5.0; input.now < 10.0; input.now += 0.1) {
+      if (grows && input.now > 7.0) planner.setMap(all);
+      output = navigator.step(input);
+      driven = driven || (output.order && output.order->poses.size() > 1);
+      if (input.now > 7.0) continue;
+      EXPECT_EQ(output.status.phase, NavigationPhase::kPlanning);
+      EXPECT_EQ(output.status.text, textOf(NoWay::kStartOutside)) << "said at once";
+    }
+    EXPECT_EQ(driven, grows);
+    EXPECT_EQ(output.status.phase == NavigationPhase::kFailed, !grows);
+    EXPECT_EQ(output.status.text == textOf(NoWay::kStartOutside), !grows) << output.status.text;
+  }
+}
+
 TEST(Tasker, RefusesWishesThatCannotBeAndStaysAsItWas) {
   TaskHarness robot(hall().map);
   const std::uint32_t id = robot.goTo(5.0, 1.5);

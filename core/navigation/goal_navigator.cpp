@@ -12,7 +12,7 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double kLost = 10.0;        // without a pose for so long it gives up [s]
-constexpr double kNoMap = 3.0;        // without a map likewise [s]
+constexpr double kNoMap = 3.0;        // without a map that reaches it likewise [s]
 constexpr double kHeardAfter = 0.15;  // reports so soon after an order may be of the one before [s]
 constexpr double kGotOn = 0.05;       // nearer by so much is getting on [m]
 constexpr double kTurned = 0.15;      // and so is turning by so much [rad] ...
@@ -108,13 +108,17 @@ double GoalNavigator::left() const {
 }
 
 void GoalNavigator::planFirst(const NavigationInput& input) {
-  if (planner_.hasMap()) {
+  const MapCells& map = planner_.map();
+  const double column = (input.pose->x - map.origin_x) / map.cell_size;
+  const double row = (input.pose->y - map.origin_y) / map.cell_size;
+  const bool inside = column >= 0.0 && column < map.size_x && row >= 0.0 && row < map.size_y;
+  if (planner_.hasMap() && inside) {
     got_on_ = turned_on_ = now_;
     replan(input);
     return;
   }
   halt();
-  text_ = textOf(NoWay::kNoMap);
+  text_ = textOf(planner_.hasMap() ? NoWay::kStartOutside : NoWay::kNoMap);
   if (now_ - since_ > kNoMap) fail(text_, std::nullopt);
 }
 
