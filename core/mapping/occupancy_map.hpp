@@ -25,8 +25,9 @@ struct CellPlace {
 
 /// Log-odds grid in the map frame (Moravec and Elfes, High Resolution Maps from Wide Angle Sonar,
 /// ICRA 1985; log-odds after Thrun, Burgard and Fox, Probabilistic Robotics, 9.2), fed frame by
-/// frame; each cell learns once from each frame. Grows in blocks, where something was seen, within
-/// the square that its parameters name. Allocates only where it grows. One thread at a time.
+/// frame; each cell learns once from each frame. Grows in blocks, where something was seen and
+/// round the robot, within the square that its parameters name. Allocates only where it grows. One
+/// thread at a time.
 class OccupancyMap {
  public:
   static constexpr int kBlock = 16;  ///< cells a side of a block
