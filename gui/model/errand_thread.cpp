@@ -55,6 +55,12 @@ void ErrandThread::addIdle(const std::string& what, Work work) {
   shared_->changed.notify_all();
 }
 
+void ErrandThread::forget() {
+  std::deque<Errand> dropped;  // destroyed outside the lock: an errand may hold anything
+  const std::lock_guard<std::mutex> lock(shared_->mutex);
+  dropped.swap(shared_->waiting);
+}
+
 void ErrandThread::run(const std::shared_ptr<Shared>& shared) {
   std::unique_lock<std::mutex> lock(shared->mutex);
   for (;;) {

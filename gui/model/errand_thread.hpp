@@ -21,6 +21,8 @@ class ErrandThread {
   bool add(const std::string& what, Work work);
   /// The same, in place of one that was added so and has not begun; done when nothing else waits.
   void addIdle(const std::string& what, Work work);
+  /// Drops what was added and has not begun.
+  void forget();
 
  private:
   struct Shared;

@@ -38,12 +38,6 @@ struct AskAnswer {
   double at = -1e9;  ///< steady [s]
 };
 
-/// An ask on its way; since when (steady [s]).
-struct AskUnderWay {
-  std::string what;  ///< empty: nothing is under way
-  double since = 0.0;
-};
-
 /// A route that was read for the operator, and all that there are.
 struct RouteShelf {
   std::uint32_t serial = 0;         ///< another one with each answer

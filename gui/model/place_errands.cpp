@@ -20,6 +20,7 @@ namespace pilothouse::gui {
 namespace {
 
 constexpr std::size_t kMostFiles = 1000;
+constexpr double kStale = 3.0;  // s; what could not be sent by then may no longer be wanted
 
 const char* serviceOf(TaskCall call) {
   switch (call) {
@@ -51,7 +52,8 @@ const char* doneOf(TaskCall call) {
 
 }  // namespace
 
-/// Shared with the errands, which may outlive the one who gave them.
+/// Shared with the errands, which may outlive the one who gave them. Each lane is a thread: who
+/// hangs in one delays no other.
 struct PlaceErrands::Desk {
   explicit Desk(ConsoleState& console)
       : state(console),
@@ -101,26 +103,51 @@ struct PlaceErrands::Desk {
   std::atomic<bool> gone{false};
   ros::NodeHandle node;
   ros::Publisher goal, pose;
-  std::unique_ptr<ErrandThread> thread;
+  std::unique_ptr<ErrandThread> topics;  ///< what is only published
+  std::unique_ptr<ErrandThread> tasks;
+  std::unique_ptr<ErrandThread> files;  ///< routes and maps that are kept
+  std::unique_ptr<ErrandThread> plans;
 };
 
 PlaceErrands::PlaceErrands(ConsoleState& state) : desk_(std::make_shared<Desk>(state)) {
-  const std::weak_ptr<Desk> weak = desk_;  // the desk holds the thread
-  desk_->thread = std::make_unique<ErrandThread>([weak](const std::string& what) {
-    const auto desk = weak.lock();
-    if (desk && !desk->gone) desk->state.place.asking.set({what, steadySeconds()});
-  });
+  const auto lane = [weak = std::weak_ptr<Desk>(desk_)] {  // the desk holds the lanes
+    return std::make_unique<ErrandThread>(
+        [weak, before = std::string()](const std::string& what) mutable {
+          const auto desk = weak.lock();
+          if (!desk || desk->gone) return;
+          desk->state.place.asking.update([&](std::map<std::string, double>& all) {
+            all.erase(before);
+            if (!what.empty()) all[what] = steadySeconds();
+          });
+          before = what;
+        });
+  };
+  desk_->topics = lane();
+  desk_->tasks = lane();
+  desk_->files = lane();
+  desk_->plans = std::make_unique<ErrandThread>([](const std::string&) {});  // the aim tells it
 }
 
 PlaceErrands::~PlaceErrands() {
   desk_->gone = true;
-  desk_->thread.reset();
+  for (auto* lane : {&desk_->topics, &desk_->tasks, &desk_->files, &desk_->plans}) lane->reset();
   desk_->state.place.asking.set({});
+}
+
+void PlaceErrands::send(ErrandThread& lane, const std::string& what,
+                        const std::function<void(Desk&)>& errand) {
+  const bool taken = lane.add(what, [desk = desk_, what, errand, asked = steadySeconds()] {
+    if (steadySeconds() - asked < kStale) return errand(*desk);
+    desk->answer(false, "\"" + what + "\" was not sent: what was asked before it took too long");
+  });
+  if (!taken) {
+    desk_->answer(false, "\"" + what + "\" was not sent: too much waits for the robot already");
+  }
 }
 
 void PlaceErrands::preview(std::uint32_t id, const PlaceGoal& goal,
                            const std::optional<Pose2>& from) {
-  desk_->thread->addIdle("plan", [desk = desk_, id, goal, from] {
+  desk_->plans->addIdle("plan", [desk = desk_, id, goal, from] {
     PlanPath::Request request;
     PlanPath::Response response;
     request.goal.header.frame_id = desk->mapFrame();
@@ -143,59 +170,59 @@ void PlaceErrands::preview(std::uint32_t id, const PlaceGoal& goal,
 }
 
 void PlaceErrands::goTo(const PlaceGoal& goal) {
-  desk_->thread->add("goal", [desk = desk_, goal] {
+  send(*desk_->topics, "goal", [goal](Desk& desk) {
     geometry_msgs::PoseStamped message;
-    message.header.frame_id = desk->mapFrame();
-    message.header.stamp = desk->now();
+    message.header.frame_id = desk.mapFrame();
+    message.header.stamp = desk.now();
     message.pose = toPose(goal);
-    desk->publish(desk->goal, message, "goal sent");
+    desk.publish(desk.goal, message, "goal sent");
   });
 }
 
 void PlaceErrands::setPose(const Pose2& pose, const PoseSpread& spread) {
-  desk_->thread->add("pose", [desk = desk_, pose, spread] {
+  send(*desk_->topics, "pose", [pose, spread](Desk& desk) {
     auto message = toMessage(pose, spread);
-    message.header.frame_id = desk->mapFrame();
-    message.header.stamp = desk->now();
-    desk->publish(desk->pose, message, "pose sent");
+    message.header.frame_id = desk.mapFrame();
+    message.header.stamp = desk.now();
+    desk.publish(desk.pose, message, "pose sent");
   });
 }
 
 void PlaceErrands::driveRoute(const RouteDraft& draft) {
-  desk_->thread->add("route", [desk = desk_, draft] {
+  send(*desk_->tasks, "route", [draft](Desk& desk) {
     DriveRoute::Request request;
     DriveRoute::Response response;
-    request.route = toMessage(draft, desk->mapFrame());
-    desk->callAndTell<DriveRoute>("route/drive", request, response, "route sent");
+    request.route = toMessage(draft, desk.mapFrame());
+    desk.callAndTell<DriveRoute>("route/drive", request, response, "route sent");
   });
 }
 
 void PlaceErrands::saveRoute(const RouteDraft& draft) {
-  desk_->thread->add("save", [desk = desk_, draft] {
+  send(*desk_->files, "save the route", [draft](Desk& desk) {
     SaveRoute::Request request;
     SaveRoute::Response response;
     request.file = draft.name;
-    request.route = toMessage(draft, desk->mapFrame());
-    desk->callAndTell<SaveRoute>("route/save", request, response, "route saved as " + draft.name);
+    request.route = toMessage(draft, desk.mapFrame());
+    desk.callAndTell<SaveRoute>("route/save", request, response, "route saved as " + draft.name);
   });
 }
 
 void PlaceErrands::loadRoute(const std::string& name) {
-  desk_->thread->add("load", [desk = desk_, name] {
+  send(*desk_->files, "load a route", [name](Desk& desk) {
     LoadRoute::Request request;
     LoadRoute::Response response;
     request.file = name;
-    const std::string fault = desk->call<LoadRoute>("route/load", request, response);
-    if (!fault.empty()) return desk->answer(false, fault);
-    if (!response.success) return desk->answer(false, response.message);
+    const std::string fault = desk.call<LoadRoute>("route/load", request, response);
+    if (!fault.empty()) return desk.answer(false, fault);
+    if (!response.success) return desk.answer(false, response.message);
     RouteShelf shelf;
     if (!name.empty()) {
       const auto route = routeFromResponse(response.route);
-      if (!route) return desk->answer(false, "route/load: " + route.reason());
-      if (response.route.header.frame_id != desk->mapFrame() &&
+      if (!route) return desk.answer(false, "route/load: " + route.reason());
+      if (response.route.header.frame_id != desk.mapFrame() &&
           !response.route.header.frame_id.empty()) {
-        return desk->answer(false, "the route is in frame " + response.route.header.frame_id +
-                                       ", expected " + desk->mapFrame());
+        return desk.answer(false, "the route is in frame " + response.route.header.frame_id +
+                                      ", expected " + desk.mapFrame());
       }
       shelf.route = *route;
       shelf.route->name = name;
@@ -203,46 +230,51 @@ void PlaceErrands::loadRoute(const std::string& name) {
     for (const auto& file : response.files) {
       if (shelf.files.size() < kMostFiles) shelf.files.push_back(plainText(file, 64));
     }
-    if (desk->gone) return;
-    desk->state.place.shelf.update([&](std::shared_ptr<const RouteShelf>& newest) {
+    if (desk.gone) return;
+    desk.state.place.shelf.update([&](std::shared_ptr<const RouteShelf>& newest) {
       shelf.serial = newest ? newest->serial + 1 : 1;
       newest = std::make_shared<const RouteShelf>(shelf);
     });
-    if (!name.empty()) desk->answer(true, "route " + name + " loaded");
+    if (!name.empty()) desk.answer(true, "route " + name + " loaded");
   });
 }
 
 void PlaceErrands::task(TaskCall call) {
-  desk_->thread->add("task", [desk = desk_, call] {
+  const auto errand = [call](Desk& desk) {
     std_srvs::Trigger::Request request;
     std_srvs::Trigger::Response response;
-    desk->callAndTell<std_srvs::Trigger>(serviceOf(call), request, response, doneOf(call));
-  });
+    desk.callAndTell<std_srvs::Trigger>(serviceOf(call), request, response, doneOf(call));
+  };
+  if (call != TaskCall::kCancel) return send(*desk_->tasks, "task", errand);
+  // Never too late, and nothing that waits may set out after it.
+  desk_->topics->forget();
+  desk_->tasks->forget();
+  desk_->tasks->add("cancel", [desk = desk_, errand] { errand(*desk); });
 }
 
 void PlaceErrands::saveMap(const std::string& name) {
-  desk_->thread->add("save the map", [desk = desk_, name] {
+  send(*desk_->files, "save the map", [name](Desk& desk) {
     MapFile::Request request;
     MapFile::Response response;
     request.name = name;
-    desk->callAndTell<MapFile>("map/save", request, response, "");
+    desk.callAndTell<MapFile>("map/save", request, response, "");
   });
 }
 
 void PlaceErrands::loadMap(const std::string& name) {
-  desk_->thread->add("load a map", [desk = desk_, name] {
+  send(*desk_->files, "load a map", [name](Desk& desk) {
     MapFile::Request request;
     MapFile::Response response;
     request.name = name;
-    desk->callAndTell<MapFile>("map/load", request, response, "");
+    desk.callAndTell<MapFile>("map/load", request, response, "");
   });
 }
 
 void PlaceErrands::clearMap() {
-  desk_->thread->add("clear the map", [desk = desk_] {
+  send(*desk_->files, "clear the map", [](Desk& desk) {
     std_srvs::Trigger::Request request;
     std_srvs::Trigger::Response response;
-    desk->callAndTell<std_srvs::Trigger>("map/clear", request, response, "");
+    desk.callAndTell<std_srvs::Trigger>("map/clear", request, response, "");
   });
 }
 

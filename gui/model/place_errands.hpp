@@ -2,6 +2,7 @@
 
 #include <ros/node_handle.h>
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -10,9 +11,12 @@
 
 namespace pilothouse::gui {
 
-/// Runs what the operator asks about the place on a thread of its own: a planner that hangs delays
-/// neither the window nor arming. Goals go out on move_base_simple/goal, poses on initialpose; the
-/// rest are services of the navigator. Answers come into state.place.
+class ErrandThread;
+
+/// Runs what the operator asks about the place, on threads of their own: a planner that hangs
+/// delays neither the window nor arming nor a goal, and a map that takes long to save no cancel.
+/// Goals go out on move_base_simple/goal, poses on initialpose; the rest are services of the
+/// navigator. What waited too long is not sent. Answers come into state.place.
 class PlaceErrands : public PlaceAsks {
  public:
   /// On the link thread: advertising asks the master.
@@ -33,6 +37,9 @@ class PlaceErrands : public PlaceAsks {
 
  private:
   struct Desk;
+  /// In the order asked on this lane; told in words where it is not sent.
+  void send(ErrandThread& lane, const std::string& what, const std::function<void(Desk&)>& errand);
+
   std::shared_ptr<Desk> desk_;
 };
 

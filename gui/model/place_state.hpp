@@ -1,6 +1,8 @@
 #pragma once
 
+#include <map>
 #include <memory>
+#include <string>
 
 #include "gui/model/feed.hpp"
 #include "gui/model/guarded.hpp"
@@ -20,7 +22,8 @@ struct PlaceState {
   Guarded<std::shared_ptr<const Preview>> preview;   ///< newest answer
   Guarded<std::shared_ptr<const RouteShelf>> shelf;  ///< newest answer
   Guarded<AskAnswer> answer;
-  Guarded<AskUnderWay> asking;
+  /// What is asked and not answered yet -> since when (steady [s]).
+  Guarded<std::map<std::string, double>> asking;
 };
 
 }  // namespace pilothouse::gui

@@ -43,9 +43,8 @@ TaskSituation taskSituationOf(const ConsoleState& state, double now) {
   }
   const AskAnswer answer = state.place.answer.get();
   if (!answer.done && now - answer.at < kRefusalShown) s.refused = answer.text;
-  const AskUnderWay asking = state.place.asking.get();
-  if (!asking.what.empty() && asking.what != "plan" && now - asking.since > kSlow) {
-    s.refused = "the robot has not answered to \"" + asking.what + "\" yet";
+  for (const auto& [what, since] : state.place.asking.get()) {
+    if (now - since > kSlow) s.refused = "the robot has not answered to \"" + what + "\" yet";
   }
   return s;
 }
