@@ -9,6 +9,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -118,6 +120,13 @@ class PlaceConsole : public ::testing::Test {
       QApplication::sendEvent(canvas, &move);
     }
     QTest::mouseRelease(canvas, Qt::LeftButton, {}, at(to.x(), to.y()));
+  }
+  /// The robot answers with its routes, and with one of them.
+  void shelve(const std::optional<RouteDraft>& route, const std::vector<std::string>& files) {
+    const auto before = state.place.shelf.get();
+    state.place.shelf.set(
+        std::make_shared<RouteShelf>(RouteShelf{before ? before->serial + 1 : 1, route, files}));
+    refresh();
   }
   void answer(bool way) {
     Preview preview;

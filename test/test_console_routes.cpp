@@ -97,19 +97,102 @@ TEST_F(PlaceConsole, routesAreSavedUnderAGoodNameAndLoadedAsOneStep) {
   EXPECT_TRUE(name->hasFocus());
   QTest::keyClicks(name, "ro/und");
   EXPECT_EQ(place->routeTool().draft().name, "round");
+  QTest::keyClick(name, Qt::Key_S, Qt::ControlModifier);
+  shelve({}, {"other"});
+  ASSERT_EQ(asked.saved.size(), 1U) << "also from the field";
   press(Qt::Key_Return);
   EXPECT_TRUE(asked.driven.empty()) << "Enter in a field only ends the field";
+  EXPECT_FALSE(name->hasFocus());
   press(Qt::Key_S, Qt::ControlModifier);
-  ASSERT_EQ(asked.saved.size(), 1U);
+  EXPECT_EQ(asked.saved.size(), 2U) << "over its own file without a word";
   const RouteDraft mine = place->routeTool().draft();
-  auto shelf = std::make_shared<RouteShelf>();
-  shelf->serial = 1;
-  shelf->route = RouteDraft{"other", true, {{{{0, 0}, 1.0}, 2.0}, {{{1, 1}, {}}, 0.0}}};
-  state.place.shelf.set(shelf);
-  refresh();
-  EXPECT_EQ(place->routeTool().draft(), *shelf->route);
+  const RouteDraft other{"other", true, {{{{0, 0}, 1.0}, 2.0}, {{{1, 1}, {}}, 0.0}}};
+  shelve(other, {"other", "round"});
+  EXPECT_EQ(place->routeTool().draft(), other);
   press(Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_EQ(place->routeTool().draft().points, mine.points);
+  EXPECT_EQ(place->routeTool().draft(), mine) << "with its name";
+  press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_EQ(place->routeTool().draft(), other);
+}
+
+TEST_F(PlaceConsole, anotherRouteIsReplacedOnlyWhenToldTwice) {
+  press(Qt::Key_R);
+  click(1, 1);
+  place->routeTool().setName("kitchen");
+  press(Qt::Key_S, Qt::ControlModifier);
+  shelve({}, {"hall", "kitchen"});
+  EXPECT_TRUE(asked.saved.empty());
+  EXPECT_EQ(place->routeTool().words().headline, "The robot has a route kitchen already");
+  press(Qt::Key_S, Qt::ControlModifier);
+  EXPECT_EQ(asked.saved.size(), 1U);
+  // An answer about a name that was given up saves nothing.
+  place->routeTool().setName("hall");
+  press(Qt::Key_S, Qt::ControlModifier);
+  place->routeTool().setName("attic");
+  shelve({}, {"hall", "kitchen"});
+  EXPECT_EQ(asked.saved.size(), 1U);
+}
+
+TEST_F(PlaceConsole, afterAnUndoTheKeysMoveTheSamePointFromWhereItIs) {
+  press(Qt::Key_R);
+  RouteTool& route = place->routeTool();
+  click(-1, -1);
+  click(1, -1);
+  const double before = route.draft().points[1].goal.place.x();
+  press(Qt::Key_Right);
+  const double step = route.draft().points[1].goal.place.x() - before;
+  ASSERT_GT(step, 0.0);
+  for (int i = 0; i < 9; ++i) press(Qt::Key_Right);
+  press(Qt::Key_Z, Qt::ControlModifier);
+  ASSERT_DOUBLE_EQ(route.draft().points[1].goal.place.x(), before);
+  press(Qt::Key_Right);
+  EXPECT_NEAR(route.draft().points[1].goal.place.x(), before + step, 1e-9);
+  press(Qt::Key_Z, Qt::ControlModifier);
+  const RouteDraft two = route.draft();
+  click(0, -1);  // on the leg
+  ASSERT_EQ(route.draft().points.size(), 3U);
+  press(Qt::Key_Z, Qt::ControlModifier);
+  press(Qt::Key_Up);
+  EXPECT_EQ(route.draft(), two) << "the one that was chosen has gone; no other moves";
+}
+
+TEST_F(PlaceConsole, aDragEndsWhereItsPointIsTakenAway) {
+  press(Qt::Key_R);
+  RouteTool& route = place->routeTool();
+  for (const double x : {-1.0, 0.0, 1.0}) click(x, -1);
+  for (const bool undo : {false, true}) {
+    const auto begin = at(0, -1);
+    QTest::mousePress(canvas, Qt::LeftButton, {}, begin);
+    const auto moveTo = [&](double x, double y) {
+      QMouseEvent move(QEvent::MouseMove, QPointF(at(x, y)), Qt::NoButton, Qt::LeftButton,
+                       Qt::NoModifier);
+      QApplication::sendEvent(canvas, &move);
+    };
+    moveTo(0.5, 0.5);
+    undo ? press(Qt::Key_Z, Qt::ControlModifier) : press(Qt::Key_Delete);
+    const RouteDraft left = route.draft();
+    moveTo(0.6, 0.6);
+    QTest::mouseRelease(canvas, Qt::LeftButton, {}, at(0.6, 0.6));
+    EXPECT_EQ(route.draft(), left);
+    if (!undo) press(Qt::Key_Z, Qt::ControlModifier);
+    ASSERT_EQ(route.draft().points.size(), undo ? 2U : 3U);
+  }
+}
+
+TEST_F(PlaceConsole, aPointTooManyIsToldAndTurnsNoOther) {
+  press(Qt::Key_R);
+  RouteTool& route = place->routeTool();
+  RouteDraft full;
+  for (std::size_t i = 0; i < RouteDraft::kMostPoints; ++i) {
+    full.points.push_back({{{2.0, -1.5 + 0.001 * static_cast<double>(i)}, std::nullopt}, 0.0});
+  }
+  route.history().step(full, "fill");
+  route.select(3);
+  drag({-1, 1}, {-2, 1});
+  EXPECT_EQ(route.draft(), full);
+  EXPECT_EQ(route.words().headline, "1,000 points are the most that a route has");
+  press(Qt::Key_Insert);
+  EXPECT_EQ(route.draft(), full);
 }
 
 TEST_F(PlaceConsole, thePointUnderWayIsMarkedOnlyOfThisVeryRoute) {

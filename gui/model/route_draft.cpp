@@ -83,6 +83,17 @@ RouteDraft withLoop(RouteDraft draft, bool loop) {
   return draft;
 }
 
+std::optional<std::size_t> pointAfter(const RouteDraft& before, std::size_t index,
+                                      const RouteDraft& after) {
+  if (index >= before.points.size()) return std::nullopt;
+  RouteDraft same = after;
+  if (index < after.points.size()) same.points[index] = before.points[index];
+  if (same.points == before.points) return index;
+  const auto found = std::find(after.points.begin(), after.points.end(), before.points[index]);
+  if (found == after.points.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - after.points.begin());
+}
+
 std::optional<std::size_t> pointAt(const RouteDraft& draft, Eigen::Vector2d place, double reach) {
   std::optional<std::size_t> found;
   for (std::size_t i = 0; i < draft.points.size(); ++i) {

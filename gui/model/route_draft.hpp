@@ -50,6 +50,10 @@ RouteDraft withPause(RouteDraft draft, std::size_t index, double seconds);
 /// The point comes one earlier (by -1) or later (by +1). @param by anything else changes nothing.
 RouteDraft withOrder(RouteDraft draft, std::size_t index, int by);
 RouteDraft withLoop(RouteDraft draft, bool loop);
+/// Where the point of this index is after a step: where it was, when it alone was changed; else
+/// where its like is. None: it has gone.
+std::optional<std::size_t> pointAfter(const RouteDraft& before, std::size_t index,
+                                      const RouteDraft& after);
 
 /// The point nearest to the place within `reach` [m].
 std::optional<std::size_t> pointAt(const RouteDraft& draft, Eigen::Vector2d place, double reach);

@@ -11,9 +11,10 @@ class RouteStep : public QUndoCommand {
         history_(history),
         before_(history.draft()),
         after_(std::move(after)),
+        renames_(after_.name != before_.name),
         grows_(grows) {}
-  void undo() override { history_.put(before_); }
-  void redo() override { history_.put(after_); }
+  void undo() override { history_.put(before_, renames_); }
+  void redo() override { history_.put(after_, renames_); }
   int id() const override { return grows_; }
   bool mergeWith(const QUndoCommand* later) override {
     if (later->id() != grows_) return false;
@@ -24,6 +25,7 @@ class RouteStep : public QUndoCommand {
  private:
   RouteHistory& history_;
   RouteDraft before_, after_;
+  bool renames_;
   int grows_;
 };
 
@@ -36,11 +38,10 @@ void RouteHistory::step(const RouteDraft& after, const QString& what, int grows)
   stack_.push(new RouteStep(*this, after, what, grows));
 }
 
-void RouteHistory::put(const RouteDraft& draft) {
-  const std::string name = draft_.name;
-  draft_ = draft;
-  draft_.name = name;
-  emit changed();
+void RouteHistory::put(const RouteDraft& draft, bool renames) {
+  const RouteDraft before = std::exchange(draft_, draft);
+  if (!renames) draft_.name = before.name;
+  emit changed(before);
 }
 
 }  // namespace pilothouse::gui

@@ -1,12 +1,16 @@
 #include "gui/view/route_tool.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include "gui/model/clock.hpp"
 
 namespace pilothouse::gui {
 
 namespace {
 constexpr double kTurn = 15.0 / 57.29577951308232;  // rad a key
+constexpr double kPatience = 3.0;                   // s with the list of what is kept
 constexpr double kSamePlace = 0.02;                 // m
 // Steps that grow into one, by the point they are about.
 constexpr int kMoves = 10000, kTurns = 20000, kPauses = 30000;
@@ -16,10 +20,17 @@ RouteTool::RouteTool(const PlaceState& state, AskPlace ask, Footprint outline)
     : state_(state), ask_(std::move(ask)), outline_(std::move(outline)) {
   const auto shelf = state_.shelf.get();
   if (shelf) shelf_ = shelf->serial;
-  connect(&history_, &RouteHistory::changed, this, [this] {
-    if (selected_ && *selected_ >= draft().points.size()) selected_.reset();
-    emit changed();
-  });
+  connect(&history_, &RouteHistory::changed, this, &RouteTool::follow);
+}
+
+// The choice and the cross go where the chosen point goes, also when a step is taken back.
+void RouteTool::follow(const RouteDraft& before) {
+  if (selected_) selected_ = pointAfter(before, *selected_, draft());
+  if (selected_) cross_ = draft().points[*selected_].goal.place;
+  if (draft().name != before.name) kept_as_.clear();
+  replaces_.clear();
+  full_ = false;
+  emit changed();
 }
 
 void RouteTool::select(std::optional<std::size_t> index) {
@@ -30,17 +41,39 @@ void RouteTool::select(std::optional<std::size_t> index) {
 
 // On a point: takes it. On a leg: a new point within the leg. Elsewhere: a new point at the end.
 void RouteTool::press(Eigen::Vector2d at, double reach) {
+  letGo();
   pressed_ = at;
-  turning_ = false;
-  if (const auto hit = pointAt(draft(), at, reach)) return select(hit);
-  const std::size_t before = legAt(draft(), at, 0.6 * reach).value_or(draft().points.size());
-  history_.step(withPoint(draft(), before, {{at, std::nullopt}, 0.0}), tr("add a point"));
+  const auto hit = pointAt(draft(), at, reach);
+  if (hit) {
+    select(hit);
+  } else if (!addPoint(legAt(draft(), at, 0.6 * reach).value_or(draft().points.size()), at)) {
+    return;
+  }
+  turning_ = !hit;
+  held_ = true;
+}
+
+/// @return whether there was room for one more.
+bool RouteTool::addPoint(std::size_t before, Eigen::Vector2d at) {
+  const RouteDraft after = withPoint(draft(), before, {{at, std::nullopt}, 0.0});
+  full_ = after.points.size() == draft().points.size();
+  if (full_) {
+    emit changed();
+    return false;
+  }
+  history_.step(after, tr("add a point"));
   select(before);
-  turning_ = true;
+  return true;
+}
+
+/// The mouse has no point any more, though its button may be down.
+void RouteTool::letGo() {
+  held_ = turning_ = false;
+  dragged_to_.reset();
 }
 
 void RouteTool::drag(Eigen::Vector2d at, double reach) {
-  if (!selected_) return;
+  if (!selected_ || !held_) return;
   if (turning_) {
     if ((at - pressed_).norm() <= reach) return;
     const Eigen::Vector2d way = at - pressed_;
@@ -56,10 +89,8 @@ void RouteTool::release() {
   if (dragged_to_ && selected_) {
     history_.step(withPlace(draft(), *selected_, *dragged_to_),
                   tr("move point %1").arg(*selected_ + 1));
-    cross_ = *dragged_to_;
   }
-  dragged_to_.reset();
-  turning_ = false;
+  letGo();
 }
 
 RouteDraft RouteTool::shown() const {
@@ -75,9 +106,7 @@ void RouteTool::nudge(Eigen::Vector2d by) {
 
 // After the selected point; without one at the end.
 void RouteTool::insertAtCross() {
-  const std::size_t before = selected_ ? *selected_ + 1 : draft().points.size();
-  history_.step(withPoint(draft(), before, {{cross_, std::nullopt}, 0.0}), tr("add a point"));
-  select(before);
+  addPoint(selected_ ? *selected_ + 1 : draft().points.size(), cross_);
 }
 
 void RouteTool::turn(double by) {
@@ -109,11 +138,27 @@ void RouteTool::setLoop(bool loop) {
 
 void RouteTool::setName(const std::string& name) {
   history_.setName(name);
+  replaces_.clear();
   emit changed();
 }
 
+// Over what it was loaded from it is saved at once; over another route only when told twice.
 void RouteTool::save() {
-  if (ask_) ask_([&](PlaceAsks& asks) { asks.saveRoute(draft()); });
+  if (!ask_) return;
+  if (draft().name == kept_as_ || draft().name == replaces_) {
+    kept_as_ = draft().name;
+    replaces_.clear();
+    return ask_([&](PlaceAsks& asks) { asks.saveRoute(draft()); });
+  }
+  saving_ = Saving{draft().name, steadySeconds()};
+  load({});  // what is there already
+}
+
+void RouteTool::listed(const std::vector<std::string>& files, double now) {
+  const auto saving = std::exchange(saving_, std::nullopt);
+  if (!saving || saving->name != draft().name || now - saving->since > kPatience) return;
+  replaces_ = saving->name;
+  if (std::count(files.begin(), files.end(), saving->name) == 0) save();
 }
 
 void RouteTool::load(const std::string& name) {
@@ -125,6 +170,7 @@ void RouteTool::send() {
 }
 
 void RouteTool::key(ToolKey key) {
+  letGo();
   const std::size_t count = draft().points.size();
   switch (key) {
     case ToolKey::kEnter:
@@ -204,9 +250,12 @@ bool RouteTool::refresh(double now) {
   if (shelf && shelf->serial != shelf_) {
     shelf_ = shelf->serial;
     if (shelf->route) {
+      letGo();
       history_.step(*shelf->route, tr("load %1").arg(QString::fromStdString(shelf->route->name)));
-      history_.setName(shelf->route->name);
+      kept_as_ = shelf->route->name;
       selected_.reset();
+    } else {
+      listed(shelf->files, now);
     }
     emit changed();
   }
@@ -246,6 +295,15 @@ AimWords RouteTool::words() {
                  : selected_
                      ? "Arrows or a drag move it, , . turn it, Delete removes it; Enter sends"
                      : "[ and ] choose a point, a click on a leg inserts one; Enter sends";
+  if (full_) {
+    words.severity = Severity::kWarning;
+    words.headline = "1,000 points are the most that a route has";
+  }
+  if (!replaces_.empty()) {
+    words.severity = Severity::kWarning;
+    words.headline = "The robot has a route " + replaces_ + " already";
+    words.advice = "Ctrl+S again replaces it; another name keeps both";
+  }
   return words;
 }
 
@@ -255,7 +313,8 @@ void RouteTool::begin(Eigen::Vector2d at) {
 }
 
 void RouteTool::end() {
-  dragged_to_.reset();
+  letGo();
+  replaces_.clear();
   in_hand_ = false;
 }
 

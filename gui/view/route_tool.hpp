@@ -37,6 +37,7 @@ class RouteTool : public QObject, public MapTool {
   void setLoop(bool loop);
   void setName(const std::string& name);
   void load(const std::string& name);
+  /// Another route of this name is replaced only when it is told twice.
   void save();
   void send();
   /// Index of the point that the robot drives to, where it drives this very route.
@@ -51,7 +52,16 @@ class RouteTool : public QObject, public MapTool {
   void loadWanted();
 
  private:
+  /// A save that waits for the list of what there is (steady [s]).
+  struct Saving {
+    std::string name;
+    double since;
+  };
   RouteDraft shown() const;
+  void follow(const RouteDraft& before);
+  bool addPoint(std::size_t before, Eigen::Vector2d at);
+  void letGo();
+  void listed(const std::vector<std::string>& files, double now);
   void insertAtCross();
   void order(int by);
   bool refreshWays(double now);
@@ -70,7 +80,12 @@ class RouteTool : public QObject, public MapTool {
   std::optional<Eigen::Vector2d> dragged_to_;  ///< the selected point while it is dragged
   Eigen::Vector2d pressed_ = Eigen::Vector2d::Zero(), cross_ = Eigen::Vector2d::Zero();
   bool in_hand_ = false;  ///< on the map: only then ways are asked for
+  bool held_ = false;     ///< by the mouse
   bool turning_ = false;  ///< the drag gives a new point its heading
+  bool full_ = false;     ///< a point found no room
+  std::string kept_as_;   ///< the robot's file that this route was loaded from or saved to
+  std::string replaces_;  ///< another file that a second save replaces
+  std::optional<Saving> saving_;
   std::uint32_t shelf_ = 0;
 };
 
