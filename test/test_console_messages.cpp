@@ -377,6 +377,15 @@ TEST(Diagnostics, complaintsComeAndGo) {
   array.status[0].level = diagnostic_msgs::DiagnosticStatus::OK;
   board.update(array, 2.0);
   EXPECT_TRUE(board.complaints(2.0).empty());
+  array.status[0].level = diagnostic_msgs::DiagnosticStatus::ERROR;
+  for (int i = 0; i < 300; ++i) {
+    array.status[0].name = "job " + std::to_string(i);
+    board.update(array, 3.0);
+  }
+  array.status[0].name = "motor";
+  board.update(array, 20.0);
+  ASSERT_EQ(board.complaints(20.0).size(), 1U) << "names of long ago leave room for new ones";
+  EXPECT_EQ(board.complaints(20.0)[0].name, "motor");
 }
 
 }  // namespace

@@ -11,6 +11,8 @@
 #include "gui/model/errand_thread.hpp"
 #include "gui/model/goal_aim.hpp"
 #include "gui/model/map_view.hpp"
+#include "gui/model/rewind_watch.hpp"
+#include "gui/model/route_draft.hpp"
 #include "gui/model/task_words.hpp"
 #include "gui/model/teleop.hpp"
 #include "gui/model/trail.hpp"
@@ -33,6 +35,32 @@ TaskSituation running(NavigationPhase phase) {
   s.navigation.distance_left = 3.24;
   s.navigation.time_left = 75.0;
   return s;
+}
+
+TEST(RewindWatch, noticesABagThatIsPlayedAgainButNoLatePublisher) {
+  RewindWatch watch;
+  for (int i = 0; i < 100; ++i) EXPECT_FALSE(watch.rewound("base_link", 100.0 + 0.1 * i));
+  EXPECT_FALSE(watch.rewound("odom", 95.0)) << "each frame has its own time";
+  EXPECT_FALSE(watch.rewound("base_link", 100.0)) << "one alone may be late";
+  EXPECT_FALSE(watch.rewound("base_link", 110.0));
+  for (int i = 0; i < 20; ++i) EXPECT_FALSE(watch.rewound("base_link", 109.5)) << "a bit behind";
+  EXPECT_FALSE(watch.rewound("base_link", 100.0));
+  EXPECT_FALSE(watch.rewound("base_link", 100.1));
+  EXPECT_TRUE(watch.rewound("base_link", 100.2));
+  for (int i = 3; i < 100; ++i) EXPECT_FALSE(watch.rewound("base_link", 100.0 + 0.1 * i));
+}
+
+TEST(RouteDraft, aPointIsFollowedThroughWhatBecomesOfItsRoute) {
+  const auto route = [](const std::vector<double>& xs) {
+    RouteDraft draft;
+    for (const double x : xs) draft.points.push_back({{{x, 0.0}, std::nullopt}, 0.0});
+    return draft;
+  };
+  EXPECT_EQ(pointAfter(route({1, 2, 3}), 1, route({1, 5, 3})), 1U) << "moved";
+  EXPECT_EQ(pointAfter(route({1, 2, 3}), 1, route({2, 3})), 0U) << "another one removed";
+  EXPECT_EQ(pointAfter(route({1, 2, 3}), 1, route({1, 3, 2})), 2U) << "in another order";
+  EXPECT_FALSE(pointAfter(route({1, 2, 3}), 1, route({1, 3}))) << "removed itself";
+  EXPECT_FALSE(pointAfter(route({1}), 4, route({1})));
 }
 
 TEST(TaskWords, tellWhatRunsHowFarAndHowLong) {

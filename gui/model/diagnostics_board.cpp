@@ -2,6 +2,8 @@
 
 #include <diagnostic_msgs/DiagnosticStatus.h>
 
+#include <iterator>
+
 namespace pilothouse::gui {
 
 namespace {
@@ -12,6 +14,9 @@ constexpr std::size_t kLongest = 200;  // characters
 
 void DiagnosticsBoard::update(const diagnostic_msgs::DiagnosticArray& array, double now) {
   using Status = diagnostic_msgs::DiagnosticStatus;
+  for (auto entry = entries_.begin(); entry != entries_.end();) {  // old names make no room scarce
+    entry = now - entry->second.at > kForgottenAfter ? entries_.erase(entry) : std::next(entry);
+  }
   for (const auto& status : array.status) {
     if (status.level == Status::OK) {
       entries_.erase(status.name);

@@ -3,6 +3,7 @@
 #include <dynamic_reconfigure/Reconfigure.h>
 #include <ros/master.h>
 #include <ros/service.h>
+#include <tf2_msgs/TFMessage.h>
 
 #include <cmath>
 
@@ -38,6 +39,14 @@ RosStreams::RosStreams(ConsoleState& state, Helm* helm)
       began_(steadySeconds()),
       spinner_(1, &queue_) {
   listener_ = std::make_unique<tf2_ros::TransformListener>(transforms_, node_, false);
+  rewinds_ = listen<tf2_msgs::TFMessage>(
+      "/tf",
+      [this](const ros::MessageEvent<const tf2_msgs::TFMessage>& event) {
+        for (const auto& one : event.getConstMessage()->transforms) {
+          if (rewind_.rewound(one.child_frame_id, one.header.stamp.toSec())) transforms_.clear();
+        }
+      },
+      [this](const std::string& reason) { drive_.refused("tf", reason); }, 100);
   std::map<std::string, std::string> names;
   for (const char* topic :
        {"camera/depth/image_rect", "camera/depth/camera_info", "camera/depth/points",
@@ -62,6 +71,10 @@ RosStreams::RosStreams(ConsoleState& state, Helm* helm)
         state_.complaints.set(diagnostics_.complaints(steadySeconds()));
       },
       [this](const std::string& reason) { drive_.refused("diagnostics", reason); }, 10);
+  // Also where nothing comes any more: what was complained of is forgotten all the same.
+  forget_ = node_.createWallTimer(ros::WallDuration(1.0), [this](const ros::WallTimerEvent&) {
+    state_.complaints.set(diagnostics_.complaints(steadySeconds()));
+  });
   settings_ = listen<dynamic_reconfigure::Config>(
       "floor/parameter_updates",
       [this](const ros::MessageEvent<const dynamic_reconfigure::Config>& event) {

@@ -16,6 +16,7 @@
 #include "gui/model/diagnostics_board.hpp"
 #include "gui/model/drive_streams.hpp"
 #include "gui/model/place_streams.hpp"
+#include "gui/model/rewind_watch.hpp"
 
 namespace pilothouse::gui {
 
@@ -53,8 +54,11 @@ class RosStreams {
   ConversionThread conversions_;
   DiagnosticsBoard diagnostics_;
   tf2_ros::Buffer transforms_;
+  RewindWatch rewind_;
   std::unique_ptr<tf2_ros::TransformListener> listener_;
-  ros::Subscriber depth_, info_, cloud_, colour_, coded_, floor_, objects_, complaints_, settings_;
+  ros::WallTimer forget_;
+  ros::Subscriber rewinds_, depth_, info_, cloud_, colour_, coded_, floor_, objects_, complaints_,
+      settings_;
   DriveStreams drive_;
   PlaceStreams place_;
   double began_;
