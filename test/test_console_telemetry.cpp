@@ -83,4 +83,45 @@ TEST(Telemetry, marksEachChangeOfTheRuleOnceWithItsWords) {
   });
 }
 
+TEST(Telemetry, endsARuleThatNobodyReportsAnyMore) {
+  Telemetry telemetry;
+  LimitReading limit;
+  for (int i = 0; i <= 20; ++i) telemetry.limit(1.0 + 0.05 * i, limit);
+  telemetry.limit(10.0, limit);
+  telemetry.read([](const Telemetry::Curves& curves) {
+    ASSERT_EQ(curves.rules.size(), 2U);
+    EXPECT_NEAR(curves.rules[0].until, 2.0, 1e-9) << "from here on it is not known";
+    EXPECT_EQ(curves.rules[1].at, 10.0);
+  });
+  StopReading stop;
+  stop.cause = StopCause::kOperator;
+  telemetry.stop(10.1, stop);  // the gate's last word
+  telemetry.limit(10.2, limit);
+  telemetry.limit(11.0, limit);
+  telemetry.read([](const Telemetry::Curves& curves) {
+    EXPECT_EQ(curves.rules.back().rule, Rule::kFree) << "a gate that died rules no more";
+    EXPECT_EQ(curves.rules.back().at, 11.0);
+  });
+}
+
+TEST(Telemetry, tellsAnotherReasonUnderTheSameRuleApartButNoFigures) {
+  Telemetry telemetry;
+  LimitReading limit;
+  limit.cause = LimitCause::kObstacle;
+  limit.limit = 0.2;
+  limit.sensor = "front";
+  limit.distance = 0.7;
+  telemetry.limit(1.0, limit);
+  limit.distance = 0.64;
+  telemetry.limit(1.1, limit);
+  limit.sensor = "left";
+  telemetry.limit(1.2, limit);
+  telemetry.read([](const Telemetry::Curves& curves) {
+    ASSERT_EQ(curves.rules.size(), 2U);
+    EXPECT_NE(curves.rules[0].words.find("front"), std::string::npos);
+    EXPECT_NE(curves.rules[1].words.find("left"), std::string::npos);
+    EXPECT_EQ(curves.rules[0].until, curves.rules[1].at);
+  });
+}
+
 }  // namespace

@@ -24,25 +24,25 @@ enum class Rule : unsigned char {
   kStopped,
 };
 
-/// From `at` on the rule holds, until the next one.
-struct RuleChange {
-  double at;  ///< steady [s]
+/// A stretch of time over which a rule held for one reason, as far as it was reported.
+struct RuleStretch {
+  double at, until;  ///< first and last report, or where the next rule began; steady [s]
   Rule rule;
-  std::string words;  ///< for the cursor
+  std::string words;  ///< for the cursor, as they began
 };
 
 /// The curves of the graphs. Filled by the ROS side, read by the panels.
 class Telemetry {
  public:
   static constexpr std::size_t kMostNames = 16;      ///< wheels, rangers
-  static constexpr std::size_t kMostChanges = 2000;  ///< of the rule
+  static constexpr std::size_t kMostChanges = 2000;  ///< stretches of a rule
 
   struct Curves {
     Trace wanted, limited, measured, limit;  ///< [m/s]
     std::map<std::string, Trace> wheels;     ///< [rad/s]
     Trace obstacle, potential;               ///< free way [m]
     std::map<std::string, Trace> ranges;     ///< [m]
-    std::deque<RuleChange> rules;
+    std::deque<RuleStretch> rules;           ///< between them nobody told
   };
 
   void limit(double now, const LimitReading& reading);
@@ -62,7 +62,7 @@ class Telemetry {
 
   mutable std::mutex mutex_;
   Curves curves_;
-  bool stopped_ = false;  ///< by the gate
+  double stopped_at_ = -1e9;  ///< the gate last said so; -1e9: it has let go
 };
 
 }  // namespace pilothouse::gui

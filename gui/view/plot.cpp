@@ -120,13 +120,17 @@ QRectF Plot::legendBox(const QString& name) const {
   return {};
 }
 
-const RuleChange* Plot::ruleAt(double t) const {
-  const RuleChange* found = nullptr;
-  for (const auto& change : rules_) {
-    if (change.at > t) break;
-    found = &change;
+const RuleStretch* Plot::ruleAt(double t) const {
+  for (std::size_t i = 0; i < rules_.size(); ++i) {
+    if (rules_[i].at <= t && t < endOf(i)) return &rules_[i];
   }
-  return found;
+  return nullptr;
+}
+
+// The last one holds until its next report is overdue.
+double Plot::endOf(std::size_t rule) const {
+  const double until = rules_[rule].until;
+  return rule + 1 < rules_.size() ? until : std::min(time_.now, until + Trace::kGap);
 }
 
 QString Plot::readoutText(bool with_values) const {
@@ -139,7 +143,8 @@ QString Plot::readoutText(bool with_values) const {
     words << tr("%1 %2 %3").arg(series.name).arg(series.under_cursor, 0, 'f', 3).arg(unit_);
   }
   if (rule_band_) {
-    if (const auto* rule = ruleAt(*time_.cursor)) words << QString::fromStdString(rule->words);
+    const auto* rule = ruleAt(*time_.cursor);
+    words << (rule ? QString::fromStdString(rule->words) : tr("nobody told what ruled"));
   }
   return words.join('\n');
 }

@@ -59,7 +59,7 @@ class Plot : public QWidget {
   /// The series of this name; added with the colour and width when it is new.
   Series& seriesOf(const QString& name, const QColor& colour, double width = 1.6);
   void setLevels(std::vector<Level> levels) { levels_ = std::move(levels); }
-  void setRules(std::vector<RuleChange> rules) { rules_ = std::move(rules); }
+  void setRules(std::vector<RuleStretch> rules) { rules_ = std::move(rules); }
   void withTimeAxis(bool on) { time_axis_ = on; }
   void withRules() { rule_band_ = true; }
   /// Columns of pixels that curves are thinned to.
@@ -102,7 +102,9 @@ class Plot : public QWidget {
   void paintCurves(QPainter& painter, const QRectF& field) const;
   void paintLegend(QPainter& painter) const;
   void paintCursor(QPainter& painter, const QRectF& field) const;
-  const RuleChange* ruleAt(double t) const;
+  /// Null: nobody told.
+  const RuleStretch* ruleAt(double t) const;
+  double endOf(std::size_t rule) const;
 
   GraphTime& time_;
   QString title_, unit_;
@@ -112,7 +114,7 @@ class Plot : public QWidget {
   bool time_axis_ = true, rule_band_ = false, inside_ = false;
   std::vector<Series> series_;
   std::vector<Level> levels_;
-  std::vector<RuleChange> rules_;
+  std::vector<RuleStretch> rules_;
   std::optional<QPointF> dragged_from_;
 };
 

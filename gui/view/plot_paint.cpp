@@ -127,8 +127,13 @@ void Plot::paintRules(QPainter& painter, const QRectF& field) const {
   painter.setFont(theme::smallFont());
   const double top = field.top() - kBand - 2.0;
   for (std::size_t i = 0; i < rules_.size(); ++i) {
-    const double from = std::max(rules_[i].at, time_.begin());
-    const double to = std::min(i + 1 < rules_.size() ? rules_[i + 1].at : time_.now, time_.end());
+    const std::size_t first = i;  // one box for a rule, also where its reason changes
+    while (i + 1 < rules_.size() && rules_[i + 1].rule == rules_[first].rule &&
+           rules_[i + 1].at == rules_[i].until) {
+      ++i;
+    }
+    const double from = std::max(rules_[first].at, time_.begin());
+    const double to = std::min(endOf(i), time_.end());
     if (to <= from) continue;
     const QRectF box(QPointF(toPixel(field, from, 0).x(), top),
                      QPointF(toPixel(field, to, 0).x(), top + kBand));
@@ -136,7 +141,7 @@ void Plot::paintRules(QPainter& painter, const QRectF& field) const {
     painter.setRenderHint(QPainter::Antialiasing, false);
     painter.fillRect(box, colour.darker(220));
     painter.fillRect(box, QBrush(colour, rulePattern(rules_[i].rule)));
-    if (rules_[i].at > time_.begin()) {
+    if (rules_[first].at > time_.begin()) {
       QPen pen(QColor(colour.red(), colour.green(), colour.blue(), 110), 1, Qt::DotLine);
       painter.setPen(pen);
       painter.drawLine(QPointF(box.left(), box.bottom()), QPointF(box.left(), field.bottom()));

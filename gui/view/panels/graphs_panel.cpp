@@ -134,7 +134,7 @@ class GraphsPanel : public Panel {
                                            kOthers[colour++ % kOtherColours], 1.2);
         take(distance_, series, trace);
       }
-      speed_->setRules(std::vector<RuleChange>(curves.rules.begin(), curves.rules.end()));
+      speed_->setRules(std::vector<RuleStretch>(curves.rules.begin(), curves.rules.end()));
     });
     pause_->setChecked(time_.held.has_value());
     speed_->update();
