@@ -56,6 +56,18 @@ void addMenu(QGridLayout* grid, const QAction& top) {
   }
 }
 
+// These are read beside the window, so that no menu has them.
+void addDriving(QGridLayout* grid) {
+  grid->addWidget(heading(QObject::tr("Stop and drive")), grid->rowCount(), 0);
+  const QString or_else = QObject::tr("  or  ");
+  addRow(grid, QObject::tr("Stop, at once"), "Space" + or_else + "Esc");
+  addRow(grid, QObject::tr("Arm: hold it until the button is full"), "F9");
+  addRow(grid, QObject::tr("Forward, back, while held"), "W S" + or_else + QObject::tr("Up Down"));
+  addRow(grid, QObject::tr("Turn left, right"), "A D" + or_else + QObject::tr("Left Right"));
+  addRow(grid, QObject::tr("Sideways, where the robot can"), "Q E");
+  addRow(grid, QObject::tr("Slowly"), "Shift");
+}
+
 QDialog* sheet(QMainWindow& window, const QString& title) {
   auto* dialog = new QDialog(&window);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -82,6 +94,7 @@ void showShortcuts(QMainWindow& window) {
   // The window's own menus at the left, those of the panels at the right.
   auto* own = column();
   auto* panels = column();
+  addDriving(own);
   const auto menus = window.menuBar()->actions();
   for (int i = 0; i < menus.size(); ++i) {
     const bool first_or_last = i < 2 || i + 1 == menus.size();
