@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QDialog>
 #include <QDialogButtonBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
@@ -242,6 +243,58 @@ TEST_F(PlaceConsole, mapsAreSavedLoadedAndClearedAfterAQuestion) {
   };
   EXPECT_TRUE(told(101.0));
   EXPECT_FALSE(told(120.0));
+}
+
+TEST_F(PlaceConsole, aToolIsLaidDownWithAMapThatIsNotSeenAndBringsItBack) {
+  press(Qt::Key_G);
+  click(2, 1);
+  refresh();
+  answer(true);
+  press(Qt::Key_1, Qt::ControlModifier);
+  ASSERT_FALSE(canvas->isVisible());
+  EXPECT_FALSE(helm.arrowsAim());
+  press(Qt::Key_Return);
+  EXPECT_TRUE(asked.goals.empty());
+  press(Qt::Key_G);
+  EXPECT_TRUE(canvas->isVisible());
+  EXPECT_TRUE(helm.arrowsAim());
+}
+
+TEST_F(PlaceConsole, whatIsInAnotherFrameThanTheMapIsToldAndNotDrawn) {
+  auto pose = std::make_shared<PoseReading>();
+  pose->frame = "odom";
+  pose->pose = {1.5, -1.0, 0.0};
+  deliver<PoseReading>(state.place.pose, pose);
+  refresh();
+  EXPECT_FALSE(canvas->scene().pose);
+  EXPECT_EQ(canvas->scene().refused, "the pose is in frame odom, expected map");
+  pose = std::make_shared<PoseReading>(*pose);
+  pose->frame = "/map";
+  deliver<PoseReading>(state.place.pose, pose);
+  refresh();
+  EXPECT_TRUE(canvas->scene().pose);
+  EXPECT_TRUE(canvas->scene().refused.empty());
+}
+
+TEST_F(PlaceConsole, ofAnotherRobotNothingOfThePlaceStays) {
+  ASSERT_FALSE(canvas->trail().points().empty());
+  state.place.forget();
+  refresh();
+  EXPECT_FALSE(canvas->scene().map);
+  EXPECT_FALSE(canvas->scene().pose);
+  EXPECT_TRUE(canvas->trail().points().empty());
+}
+
+TEST_F(PlaceConsole, theKeySheetBeginsWithTheStop) {
+  press(Qt::Key_F1);
+  auto* sheet = window->findChild<QDialog*>("shortcuts");
+  ASSERT_TRUE(sheet);
+  QStringList texts;
+  for (const auto* label : sheet->findChildren<QLabel*>()) texts << label->text();
+  for (const char* keys : {"Space  or  Esc", "F9", "Q E", "Shift"}) {
+    EXPECT_EQ(texts.count(keys), 1) << keys;
+  }
+  sheet->close();
 }
 
 TEST_F(PlaceConsole, everyKeyIsUniqueWithToolsToo) {

@@ -82,6 +82,13 @@ class Feed {
     fresh_ = false;
     return newest_;
   }
+  /// As if nothing had ever come.
+  void forget() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    meter_ = {};
+    newest_.reset();
+    fresh_ = false;
+  }
   std::shared_ptr<const Picture> latest() const {
     const std::lock_guard<std::mutex> lock(mutex_);
     return newest_;

@@ -9,9 +9,12 @@ namespace pilothouse::gui {
 template <class T>
 class Guarded {
  public:
-  void set(T value) {
+  void set(T value) { exchange(std::move(value)); }
+  /// @return what it was: destroyed outside the lock, whatever that takes.
+  T exchange(T value) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    value_ = std::move(value);
+    std::swap(value_, value);
+    return value;
   }
   T get() const {
     const std::lock_guard<std::mutex> lock(mutex_);

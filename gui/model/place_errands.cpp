@@ -266,7 +266,7 @@ void PlaceErrands::loadMap(const std::string& name) {
     MapFile::Request request;
     MapFile::Response response;
     request.name = name;
-    desk.callAndTell<MapFile>("map/load", request, response, "");
+    if (desk.callAndTell<MapFile>("map/load", request, response, "")) ++desk.state.place.place;
   });
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <atomic>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
@@ -22,8 +24,21 @@ struct PlaceState {
   Guarded<std::shared_ptr<const Preview>> preview;   ///< newest answer
   Guarded<std::shared_ptr<const RouteShelf>> shelf;  ///< newest answer
   Guarded<AskAnswer> answer;
+  std::atomic<std::uint32_t> place{0};  ///< another one where what was known is of elsewhere
   /// What is asked and not answered yet -> since when (steady [s]).
   Guarded<std::map<std::string, double>> asking;
+
+  /// The robot is another one: nothing that was told of the place holds.
+  void forget() {
+    map.forget();
+    standing.forget();
+    pose.forget();
+    navigation.forget();
+    task.forget();
+    path.set(nullptr);
+    preview.set(nullptr);
+    ++place;
+  }
 };
 
 }  // namespace pilothouse::gui

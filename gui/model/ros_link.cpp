@@ -109,10 +109,17 @@ void RosLink::run() {
     }
     pause(connectedStep() ? 0.5 : 1.0);
   }
-  errands_.set(nullptr);
+  endErrands();
   streams_.reset();
   if (helm_) helm_->connect(nullptr);
   if (ros::isStarted()) ros::shutdown();
+}
+
+// The GUI thread may hold them still, for an ask that returns at once: their end, which takes long
+// and asks the master, is this thread's.
+void RosLink::endErrands() {
+  const auto errands = errands_.exchange(nullptr);
+  while (errands.use_count() > 1) std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 
 bool RosLink::connectedStep() {
@@ -127,8 +134,9 @@ bool RosLink::connectedStep() {
   }
   if (id != master_id_) {
     // A new master knows nothing of us: end the old subscriptions and make them again.
-    errands_.set(nullptr);
+    endErrands();
     streams_.reset();
+    state_.place.forget();  // of the old master's robot
     if (helm_) helm_->connect(nullptr);
     // Started here and not by a first NodeHandle: the last handle to go would shut ROS down.
     if (!ros::isStarted()) ros::start();

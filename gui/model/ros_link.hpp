@@ -44,6 +44,7 @@ class RosLink {
  private:
   void run();
   bool connectedStep();
+  void endErrands();
   void setPhase(LinkPhase phase, double round_trip_ms);
   void pause(double seconds);
 

@@ -106,6 +106,10 @@ void MainWindow::addPanel(const PanelEntry& entry) {
   auto* panel = entry.make(context_);
   panel->setObjectName(dock->objectName() + "_panel");
   dock->setWidget(panel);
+  connect(panel, &Panel::wanted, dock, [dock] {
+    dock->show();
+    dock->raise();
+  });
   if (auto* strip = qobject_cast<HeaderStrip*>(panel->titleStrip())) {
     dock->setTitleBarWidget(strip);
     connect(strip, &HeaderStrip::closeWanted, dock, &QDockWidget::close);

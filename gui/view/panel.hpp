@@ -50,6 +50,10 @@ class Panel : public QWidget {
   /// Entries of a menu of its own, with their keys; none: no menu.
   virtual QVector<QAction*> menuActions() { return {}; }
 
+ signals:
+  /// What was asked for happens here: the panel must be seen.
+  void wanted();
+
  protected:
   const PanelContext& context() const { return context_; }
 

@@ -30,6 +30,7 @@ void PlaceCanvas::show(PlaceScene scene) {
   };
   const bool grown = extent(scene) != extent(scene_);
   const bool first = !scene_.pose && scene.pose;
+  if (scene.place != scene_.place) trail_.clear();
   scene_ = std::move(scene);
   if (scene_.pose) trail_.add(scene_.pose->pose.position());
   if (follow_ && scene_.pose) {

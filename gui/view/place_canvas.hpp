@@ -33,8 +33,9 @@ struct PlaceScene {
   DriveOverlay drive;
   bool judged = false;  ///< the objects tell whether they are in the way
   FeedState pose_state;
-  EmptyWords words;     ///< for a map without anything
-  std::string refused;  ///< why the newest map was; empty: it was not
+  std::uint32_t place = 0;  ///< another one: the trail was elsewhere
+  EmptyWords words;         ///< for a map without anything
+  std::string refused;      ///< what is not shown and why; empty: all is
 };
 
 /// The map that stays in place: x right, y up, the robot moves on it. Wheel zooms about the cursor,

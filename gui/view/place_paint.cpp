@@ -143,7 +143,7 @@ void PlaceCanvas::paintSigns(QPainter& painter) {
   double top = margin + (tool_ ? kWordsHeight + margin : 0.0);
   if (!scene_.refused.empty()) {
     paintPill(painter, {margin, top}, Qt::AlignLeft | Qt::AlignTop,
-              tr("Map rejected: %1").arg(QString::fromStdString(scene_.refused)), theme::kError);
+              QString::fromStdString(scene_.refused), theme::kError);
     top += 26;
   }
   if (scene_.pose && freshness(scene_.pose_state) == Freshness::kStale) {

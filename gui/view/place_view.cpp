@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QHBoxLayout>
+#include <QHideEvent>
 #include <QMenu>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -20,6 +21,25 @@ namespace {
 
 constexpr double kDraw = 1.0 / 24.0;  // s between drawings
 constexpr double kSilent = 1.0;       // s; what is older is not drawn as if it were seen now
+
+std::string plainFrame(const std::string& frame) {
+  return !frame.empty() && frame.front() == '/' ? frame.substr(1) : frame;
+}
+
+// What is in another frame than the map would be drawn at a wrong place: it is not drawn, but told.
+void keepToTheFrame(PlaceScene& scene) {
+  if (!scene.map) return;
+  const std::string frame = plainFrame(scene.map->frame);
+  const auto keep = [&](auto& what, const char* name) {
+    const std::string its = what ? plainFrame(what->frame) : std::string();
+    if (its.empty() || frame.empty() || its == frame) return;
+    scene.refused = std::string(name) + " in frame " + its + ", expected " + frame;
+    what = nullptr;
+  };
+  keep(scene.path, "the way is");
+  keep(scene.standing, "the things that stay are");
+  keep(scene.pose, "the pose is");
+}
 }  // namespace
 
 PlaceView::PlaceView(const PanelContext& context, QWidget* parent)
@@ -189,11 +209,13 @@ void PlaceView::take(MapTool* tool) {
   if (context_.helm) context_.helm->setArrowsAim(tool != nullptr);
 }
 
-// Enter in a field ends the field, it sends nothing.
+// Enter in a field ends the field, it sends nothing; what is not about files is the field's.
 void PlaceView::key(ToolKey key) {
   QWidget* focus = QApplication::focusWidget();
-  if (focus && card_->isAncestorOf(focus)) return canvas_->setFocus();
-  if (!tool_) return;
+  const bool in_field = focus && card_->isAncestorOf(focus);
+  if (in_field && key == ToolKey::kEnter) return canvas_->setFocus();
+  const bool of_files = key == ToolKey::kSave || key == ToolKey::kLoad;
+  if (!tool_ || (in_field && !of_files)) return;
   if (key == ToolKey::kSave && tool_ == route_.get()) return card_->save();
   tool_->key(key);
   canvas_->update();
@@ -216,8 +238,10 @@ void PlaceView::nudged(int key, Qt::KeyboardModifiers modifiers) {
   }
 }
 
-void PlaceView::setShown(bool on) {
-  if (!on) take(nullptr);
+// Without being seen no tool stays in hand; a window that is minimised keeps its own.
+void PlaceView::hideEvent(QHideEvent* event) {
+  QWidget::hideEvent(event);
+  if (!event->spontaneous()) take(nullptr);
 }
 
 PlaceScene PlaceView::sceneAt(double now, const DriveOverlay& drive, bool judged) {
@@ -241,7 +265,9 @@ PlaceScene PlaceView::sceneAt(double now, const DriveOverlay& drive, bool judged
   scene.judged = judged;
   scene.pose_state = state.place.pose.state(now);
   const FeedState map = state.place.map.state(now);
-  scene.refused = map.rejection;
+  scene.place = state.place.place;
+  if (!map.rejection.empty()) scene.refused = "map rejected: " + map.rejection;
+  keepToTheFrame(scene);
   scene.words = waitingFor(state, tr("The map"), {"map_cells", "pose"},
                            tr("The mapper and the pose tracker make them:\n"
                               "roslaunch pilothouse robot.launch pose:=true goals:=true"),

@@ -37,14 +37,13 @@ class PlaceView : public QWidget {
   /// What has a key; the tools' own keys are live only while one is in hand.
   QVector<QAction*> menuActions() const { return actions_; }
   void nudged(int key, Qt::KeyboardModifiers modifiers);
-  /// Shown or hidden: without being seen no tool stays in hand.
-  void setShown(bool on);
 
  signals:
   /// A tool was asked for: the map must be seen.
   void wanted();
 
  protected:
+  void hideEvent(QHideEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
  private:

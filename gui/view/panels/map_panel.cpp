@@ -67,7 +67,10 @@ class MapPanel : public Panel {
               [this] { switch_->toggleCalibration(); });
     addAction(tr("Pick out a height"), {Qt::Key_H}, [this] { heights_->toggle(); });
     actions_ += place_->menuActions();
-    connect(place_, &PlaceView::wanted, this, [this] { choose(true); });
+    connect(place_, &PlaceView::wanted, this, [this] {
+      choose(true);
+      emit wanted();
+    });
     showPlace(false);
   }
 
@@ -143,7 +146,6 @@ class MapPanel : public Panel {
 
   void showPlace(bool place) {
     pages_->setCurrentWidget(place ? static_cast<QWidget*>(place_) : canvas_);
-    place_->setShown(place);
     robot_controls_->setVisible(!place);
     place_->controls()->setVisible(place);
     robot_button_->setChecked(!place);
