@@ -61,7 +61,7 @@ int main(int argc, char** argv) {
       *robot,
       [&link](const std::string& method, bool calibrate) { link.askFloor(method, calibrate); },
       &helm,
-      [&link] { link.askArm(); },
+      [&link](StopSerial stops) { link.askArm(stops); },
       [&link](const std::function<void(PlaceAsks&)>& ask) { link.askPlace(ask); }};
   const bool pictured = !options->screenshot.isEmpty();
   const bool watches_keys = QGuiApplication::platformName() == "xcb";

@@ -113,7 +113,7 @@ class Bridge {
     robot.footprint = {{{0.25, 0.20}}, {{-0.25, 0.20}}, {{-0.25, -0.20}}, {{0.25, -0.20}}};
     robot.drive.kind = BaseKind::kFourWheelSteered;
     window = std::make_unique<MainWindow>(
-        PanelContext{state, robot, nullptr, &helm, [this] { link.askArm(); },
+        PanelContext{state, robot, nullptr, &helm, [this](StopSerial stops) { link.askArm(stops); },
                      [this](const std::function<void(PlaceAsks&)>& ask) { link.askPlace(ask); }},
         false, watcher != nullptr);
     window->show();
@@ -142,7 +142,7 @@ class Bridge {
     focus();
     if (state.gate.latest() && !helm.stopped() && gateNow() != GatePhase::kStopped) return;
     ASSERT_TRUE(gateIs(GatePhase::kStopped));  // a stop may be on its way still
-    link.askArm();
+    link.askArm(helm.stops());
     ASSERT_TRUE(wait([&] { return gateNow() != GatePhase::kStopped; }));
     ASSERT_TRUE(wait([&] {  // and the helm knows
       const double since = steadySeconds() - 0.2;

@@ -2,6 +2,7 @@
 // real master, a robot of its own process; what counts is the message that was published. Runs
 // under test/with_display. Arguments: the program fake_robot.
 
+#include <dynamic_reconfigure/Reconfigure.h>
 #include <gtest/gtest.h>
 
 #include <QApplication>
@@ -9,6 +10,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QThread>
+#include <atomic>
 #include <cstdio>
 #include <cstdlib>
 #include <thread>
@@ -27,6 +29,35 @@ namespace {
 
 QString robot_program, own_program;
 int qt_warnings = 0;
+
+/// A service that does not answer as long as this lives.
+template <class Service>
+class HangingService {
+ public:
+  explicit HangingService(const char* name) : spinner_(1, &queue_) {
+    node_.setCallbackQueue(&queue_);
+    using Request = typename Service::Request;
+    using Response = typename Service::Response;
+    server_ = node_.advertiseService<Request, Response>(name, [this](Request&, Response&) {
+      asked_ = true;
+      while (!ending_) QThread::msleep(5);
+      return true;
+    });
+    spinner_.start();
+  }
+  ~HangingService() {
+    ending_ = true;
+    spinner_.stop();
+  }
+  bool asked() const { return asked_; }
+
+ private:
+  std::atomic<bool> asked_{false}, ending_{false};
+  ros::CallbackQueue queue_;
+  ros::NodeHandle node_;
+  ros::ServiceServer server_;
+  ros::AsyncSpinner spinner_;
+};
 
 class ConsoleDrive : public ::testing::Test {
  protected:
@@ -170,6 +201,19 @@ TEST_F(ConsoleDrive, theStopKeyIsLatchedUntilArmedByHoldingF9) {
   ASSERT_TRUE(bridge->wait([&] { return bridge->gateNow() != GatePhase::kStopped; }));
   xdotool("keyup F9");
   EXPECT_FALSE(bridge->recorder->beats(since).back().message.stop);
+}
+
+// A floor nodelet that never answers holds up neither arming nor the link.
+TEST_F(ConsoleDrive, armsWhileTheFloorNodeletHangs) {
+  HangingService<dynamic_reconfigure::Reconfigure> floor("floor/set_parameters");
+  bridge->link.askFloor("improved", false);
+  ASSERT_TRUE(bridge->wait([&] { return floor.asked(); }));
+  const double since = steadySeconds();
+  xdotool("key space");
+  ASSERT_TRUE(bridge->stopPublished(since));
+  ASSERT_TRUE(bridge->gateIs(GatePhase::kStopped));
+  bridge->link.askArm(bridge->helm.stops());
+  EXPECT_TRUE(bridge->wait([&] { return bridge->gateNow() != GatePhase::kStopped; }));
 }
 
 TEST_F(ConsoleDrive, theButtonsPublishWhatTheySay) {

@@ -218,16 +218,16 @@ TEST(HoldButton, wantsToBeHeldThroughAutorepeat) {
   QTest::mouseClick(&button, Qt::LeftButton);
   QTest::qWait(HoldButton::kHold + 100);
   EXPECT_EQ(confirmed.count(), 0);
-  button.keyDown();
+  button.keyDown(false);
   for (int i = 0; i < 5; ++i) {
     QTest::qWait(20);
     button.keyUp();  // X repeats: released and pressed at once
-    button.keyDown();
+    button.keyDown(false);
   }
   EXPECT_TRUE(confirmed.wait(60000));
   button.keyUp();
   button.show("Armed", "ready", false);
-  button.keyDown();
+  button.keyDown(false);
   QTest::qWait(HoldButton::kHold + 100);
   EXPECT_EQ(confirmed.count(), 1);
 }
@@ -261,7 +261,7 @@ TEST(DriveBar, spaceStopsWhateverHasTheFocus) {
   auto* button = w.window.findChild<QToolButton*>();
   QTest::keyClick(button, Qt::Key_Space);
   EXPECT_TRUE(w.helm.stopped());
-  w.helm.release();
+  w.helm.release(w.helm.stops());
   QTest::keyClick(&w.window, Qt::Key_Escape);
   EXPECT_TRUE(w.helm.stopped());
 }

@@ -8,6 +8,7 @@
 #include <thread>
 #include <vector>
 
+#include "gui/model/arming.hpp"
 #include "gui/model/clock.hpp"
 #include "gui/model/helm.hpp"
 
@@ -95,8 +96,87 @@ TEST(Helm, beatsStopOutAtOnceAndKeepSayingSo) {
     EXPECT_TRUE(a.out->beats()[i].beat.stop) << "latched";
     EXPECT_EQ(a.out->beats()[i].beat.gate_beat, 77U);
   }
-  a.helm.release();
+  a.helm.release(a.helm.stops());
   ASSERT_TRUE(a.out->waitFor([](auto& beats, auto&) { return !beats.back().beat.stop; }));
+}
+
+TEST(Helm, aStopPressedSinceIsNotTakenBack) {
+  Helm helm(steered());
+  helm.stop();
+  const StopSerial seen = helm.stops();
+  helm.stop();
+  helm.release(seen);
+  EXPECT_TRUE(helm.stopped());
+  helm.release(helm.stops());
+  EXPECT_FALSE(helm.stopped());
+  helm.release(seen);  // an old one, late
+  EXPECT_FALSE(helm.stopped());
+}
+
+/// A gate that holds the robot, and what may happen while it is looked for and asked.
+struct Gate : ArmService {
+  Gate() { says(GatePhase::kStopped); }
+  std::string find() override {
+    if (while_looked_for) while_looked_for();
+    return {};
+  }
+  std::string call() override {
+    ++calls;
+    return helm.stopped() ? "the operator's stop is pressed" : "";
+  }
+  void says(GatePhase phase) {
+    auto reading = std::make_shared<StopReading>();
+    reading->phase = phase;
+    reading->can_arm = true;
+    const double now = steadySeconds();
+    state.gate.arrived(now, 1, "gate", "/stop_state");
+    state.gate.deliver(Checked<std::shared_ptr<const StopReading>>::of(reading), now, 0.0);
+  }
+  ArmWish wish() const { return {helm.stops(), steadySeconds()}; }
+  std::string arm(const ArmWish& wish) { return gui::arm(*this, state, &helm, wish); }
+  ConsoleState state;
+  Helm helm{steered()};
+  std::function<void()> while_looked_for;
+  int calls = 0;
+};
+
+TEST(Arming, takesTheStopBackAndCallsTheGate) {
+  Gate gate;
+  gate.helm.stop();
+  EXPECT_EQ(gate.arm(gate.wish()), "");
+  EXPECT_FALSE(gate.helm.stopped());
+  EXPECT_EQ(gate.calls, 1);
+}
+
+TEST(Arming, neverTakesBackAStopThatWasPressedAfterItWasAskedFor) {
+  Gate gate;
+  const ArmWish before = gate.wish();
+  gate.helm.stop();
+  EXPECT_EQ(gate.arm(before), "a stop was pressed meanwhile");
+  EXPECT_TRUE(gate.helm.stopped());
+  gate.while_looked_for = [&] { gate.helm.stop(); };  // the master took its time
+  EXPECT_EQ(gate.arm(gate.wish()), "a stop was pressed meanwhile");
+  EXPECT_TRUE(gate.helm.stopped());
+  EXPECT_EQ(gate.calls, 0);
+}
+
+TEST(Arming, doesNothingOnAnOldWish) {
+  Gate gate;
+  gate.helm.stop();
+  ArmWish wish = gate.wish();
+  wish.at -= 8.0;
+  EXPECT_EQ(gate.arm(wish), "it took 8.0 s to reach the gate. Hold again");
+  EXPECT_TRUE(gate.helm.stopped());
+  EXPECT_EQ(gate.calls, 0);
+}
+
+TEST(Arming, keepsAStopThatTheGateHasNotConfirmed) {
+  Gate gate;
+  gate.helm.stop();
+  gate.says(GatePhase::kRunning);
+  EXPECT_EQ(gate.arm(gate.wish()), "the gate has not confirmed a stop");
+  EXPECT_TRUE(gate.helm.stopped());
+  EXPECT_EQ(gate.calls, 0);
 }
 
 TEST(Helm, beatsGoOnWhileTheWindowHangs) {
@@ -130,7 +210,7 @@ TEST(Helm, aStopEndsDrivingAndALatchedGateHindersIt) {
   a.helm.stop();
   ASSERT_TRUE(a.out->waitFor([](auto&, auto& driven) { return driven.back().command.zero(); }));
   a.helm.letGo(kW);
-  a.helm.release();
+  a.helm.release(a.helm.stops());
   a.helm.gateSays(1, true);
   const auto count = a.out->driven().size();
   a.helm.windowLives();

@@ -36,6 +36,12 @@ struct Refusal {
   double at = -1e9;
 };
 
+/// How the newest arming goes. Times are steady seconds.
+struct ArmingState {
+  double asked_at = kUnknown;  ///< of the one that is under way; NaN: none is
+  Refusal refused;             ///< of the last one that failed
+};
+
 /// All that the console shows, between the ROS side that fills it and the panels that read it.
 /// Knows neither ROS nor widgets.
 struct ConsoleState {
@@ -51,7 +57,7 @@ struct ConsoleState {
   Guarded<ContactsReading> contacts;
   Guarded<RouteReading> route;
   PlaceState place;
-  Guarded<Refusal> arming;                           ///< why the last arming failed
+  Guarded<ArmingState> arming;
   Guarded<std::map<std::string, Refusal>> refusals;  ///< by topic
   RobotClock clock;
   Guarded<LinkStatus> link;

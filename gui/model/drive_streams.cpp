@@ -1,11 +1,6 @@
 #include "gui/model/drive_streams.hpp"
 
-#include <ros/service.h>
 #include <rosgraph_msgs/Clock.h>
-#include <std_srvs/Trigger.h>
-
-#include <chrono>
-#include <thread>
 
 #include "doors/guarded_subscriber.hpp"
 #include "gui/model/clock.hpp"
@@ -17,9 +12,7 @@ namespace pilothouse::gui {
 namespace {
 
 constexpr std::size_t kMostRangers = 16;
-constexpr double kStands = 1e-4;      // m/s
-constexpr double kGateAnswers = 1.0;  // s within which the gate must have spoken to be armed
-constexpr int kCanArmTries = 50;      // of 10 ms, until the gate has heard that the stop is back
+constexpr double kStands = 1e-4;  // m/s
 
 }  // namespace
 
@@ -151,31 +144,6 @@ void DriveStreams::review(const std::set<std::string>& advertised) {
 
 void DriveStreams::refused(const std::string& topic, const std::string& reason) {
   state_.refusals.update([&](auto& all) { all[topic] = {plainText(reason), steadySeconds()}; });
-}
-
-void DriveStreams::refuse(const std::string& why) {
-  state_.arming.set({plainText(why), steadySeconds()});
-}
-
-void DriveStreams::arm() {
-  state_.arming.set({});
-  if (helm_) helm_->release();
-  const auto fresh = [this] {
-    const FeedState feed = state_.gate.state(steadySeconds());
-    return feed.ever && feed.age_s < kGateAnswers;
-  };
-  if (!fresh()) return refuse("no stop gate answers");
-  // Called too early the service would refuse: the gate has not yet heard that the stop is back.
-  for (int i = 0; i < kCanArmTries && !state_.gate.latest()->can_arm; ++i) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
-  if (helm_ && helm_->stopped()) return refuse("the stop was pressed again");
-  if (!fresh()) return refuse("the stop gate fell silent");  // its service would never answer
-  const std::string service = node_.resolveName("stop_gate/arm");
-  std_srvs::Trigger call;
-  if (!ros::service::exists(service, false)) return refuse("no service " + service);
-  if (!ros::service::call(service, call)) return refuse(service + " failed");
-  if (!call.response.success) refuse(call.response.message);
 }
 
 }  // namespace pilothouse::gui

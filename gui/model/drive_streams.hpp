@@ -23,9 +23,6 @@ class DriveStreams {
 
   /// Subscribes to the rangers in sight and, where time is simulated, to the clock.
   void review(const std::set<std::string>& advertised);
-  /// Calls the gate's service; the answer stands in state.arming. Takes the stop back before, and
-  /// arms nothing when it was pressed again meanwhile.
-  void arm();
   /// Notes that a message on the topic was refused, for the status line.
   void refused(const std::string& topic, const std::string& reason);
 
@@ -37,7 +34,6 @@ class DriveStreams {
                 Checked<Reading> (*convert)(const Message&), Use use);
   void listenToRanger(const std::string& topic, const std::string& name);
   void listenToWishes(const std::string& source);
-  void refuse(const std::string& why);
 
   ros::NodeHandle& node_;
   ConsoleState& state_;

@@ -12,6 +12,7 @@ constexpr double kSilent = 0.5;        // s; the gate speaks 50 times a second, 
 constexpr double kContactShown = 3.0;  // s
 constexpr double kStands = 0.005;      // m/s
 constexpr double kPassing = 0.02;      // m
+constexpr double kArmsAtOnce = 1.0;    // s
 
 std::string number(double value, const char* unit, int digits = 2) {
   char text[48];
@@ -236,7 +237,12 @@ DriveWords driveWords(const DriveSituation& s) {
             "Connects by itself when one starts"};
   }
   DriveWords words = gateWords(s);
-  if (!s.arming_refused.empty()) {
+  if (s.arming_for < kArmsAtOnce) {
+    words.advice = "Arming";
+  } else if (s.arming_for >= kArmsAtOnce) {
+    words.severity = Severity::kError;
+    words.advice = "Arming: no answer for " + number(s.arming_for, "s", 0) + ". It may be too late";
+  } else if (!s.arming_refused.empty()) {
     words.severity = Severity::kError;
     words.advice = "Not armed: " + s.arming_refused;
   } else if (!s.helm.driving && words.severity != Severity::kError) {

@@ -17,8 +17,9 @@ struct DriveSituation {
   StopReading stop;    ///< meaningful when stop_state.ever
   HelmView helm;
   ContactsReading contacts;
-  std::string arming_refused;  ///< why the last arming failed, while that is news
-  double now = 0.0;            ///< steady [s]
+  std::string arming_refused;    ///< why the last arming failed, while that is news
+  double arming_for = kUnknown;  ///< since what is under way was asked for [s]; NaN: nothing is
+  double now = 0.0;              ///< steady [s]
 };
 
 /// A sentence for the operator and what to do about it (may be empty).

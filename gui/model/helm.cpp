@@ -15,12 +15,19 @@ Helm::~Helm() {
 }
 
 void Helm::stop() {
-  stop_ = true;
+  ++stops_;
   nudge();
 }
 
-void Helm::release() {
-  stop_ = false;
+// What was taken back is read first: a stop that comes between the two is then seen.
+bool Helm::stopped() const {
+  const StopSerial released = released_;
+  return stops_ != released;
+}
+
+void Helm::release(StopSerial stops) {
+  StopSerial before = released_;
+  while (before < stops && !released_.compare_exchange_weak(before, stops)) continue;
   nudge();
 }
 
@@ -112,7 +119,7 @@ HelmView Helm::view() const {
   const double now = steadySeconds();
   const std::lock_guard<std::mutex> lock(mutex_);
   HelmView view;
-  view.stop = stop_;
+  view.stop = stopped();
   view.driving = teleop_.driving();
   view.command = teleop_.command();
   view.reason = teleop_.reason();
@@ -127,7 +134,7 @@ HelmView Helm::view() const {
 }
 
 HandsOff Helm::hindrance(double now) const {
-  if (stop_) return HandsOff::kStopped;
+  if (stopped()) return HandsOff::kStopped;
   if (latched_ && now - gate_at_ < kGateForgotten) return HandsOff::kStopped;
   if (now - window_at_ > kWindowHangs) return HandsOff::kWindowHangs;
   if (!active_ || !focused_) return HandsOff::kFocusLost;
@@ -137,7 +144,7 @@ HandsOff Helm::hindrance(double now) const {
 
 void Helm::sendBeat(double now) {
   Beat beat;
-  beat.stop = stop_;
+  beat.stop = stopped();
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     beat.driving = teleop_.driving();

@@ -13,6 +13,9 @@
 
 namespace pilothouse::gui {
 
+/// Counts the stops that were pressed.
+using StopSerial = std::uint64_t;
+
 /// A sign of life of this console.
 struct Beat {
   bool stop = false;
@@ -57,9 +60,12 @@ class Helm {
 
   /// Latched until release(). Takes no lock.
   void stop();
-  bool stopped() const { return stop_; }
-  /// Takes the stop back: the first half of arming. The gate stays latched until it is armed.
-  void release();
+  bool stopped() const;
+  /// How many were pressed so far.
+  StopSerial stops() const { return stops_; }
+  /// Takes back the stops up to this one: the first half of arming. One that was pressed later
+  /// holds. The gate stays latched until it is armed.
+  void release(StopSerial stops);
 
   void press(KeyMeaning key);
   /// Arrow keys aim on the map. While somebody drives by hand they drive all the same, and an arrow
@@ -102,7 +108,8 @@ class Helm {
   HandsOff hindrance(double now) const;
 
   std::atomic<bool> arrows_aim_{false};
-  std::atomic<bool> stop_{false}, keys_drive_{true}, latched_{false};
+  std::atomic<StopSerial> stops_{0}, released_{0};  ///< stopped while they differ
+  std::atomic<bool> keys_drive_{true}, latched_{false};
   std::atomic<bool> active_{false}, focused_{true};
   std::atomic<double> window_at_{-1e9}, gate_at_{-1e9}, moves_at_{-1e9};
   std::atomic<std::uint32_t> gate_beat_{0};

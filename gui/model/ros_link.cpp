@@ -6,7 +6,10 @@
 
 #include <chrono>
 
+#include "gui/model/arming.hpp"
 #include "gui/model/clock.hpp"
+#include "gui/model/conversions_drive.hpp"
+#include "gui/model/floor_wish.hpp"
 #include "gui/model/helm_topics.hpp"
 #include "gui/model/master.hpp"
 #include "gui/model/place_errands.hpp"
@@ -15,7 +18,13 @@
 namespace pilothouse::gui {
 
 RosLink::RosLink(std::vector<std::string> arguments, ConsoleState& state, Helm* helm)
-    : arguments_(std::move(arguments)), state_(state), helm_(helm) {}
+    : arguments_(std::move(arguments)),
+      state_(state),
+      helm_(helm),
+      arming_(std::make_unique<ErrandThread>([&state](const std::string& what) {
+        if (what.empty()) state.arming.update([](ArmingState& a) { a.asked_at = kUnknown; });
+      })),
+      floor_(std::make_unique<ErrandThread>([](const std::string&) {})) {}
 
 RosLink::~RosLink() {
   if (thread_.joinable()) thread_.detach();
@@ -31,6 +40,8 @@ void RosLink::start() {
 }
 
 bool RosLink::stop(double patience) {
+  arming_.reset();  // what hangs there goes on without us
+  floor_.reset();
   if (!thread_.joinable()) return true;
   {
     std::unique_lock<std::mutex> lock(mutex_);
@@ -44,19 +55,23 @@ bool RosLink::stop(double patience) {
   return true;
 }
 
-void RosLink::wish(std::function<void(RosStreams&)> wish) {
-  constexpr std::size_t kMostWishes = 16;  // a hanging master must not gather them without end
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if (wishes_.size() < kMostWishes) wishes_.push_back(std::move(wish));
-  wake_.notify_all();
-}
-
 void RosLink::askFloor(const std::string& method, bool calibrate) {
-  wish([=](RosStreams& streams) { streams.setFloor(method, calibrate); });
+  floor_->add("floor", [=, &state = state_] { setFloor(state, method, calibrate); });
 }
 
-void RosLink::askArm() {
-  wish([](RosStreams& streams) { streams.drive().arm(); });
+void RosLink::askArm(StopSerial stops) {
+  const ArmWish wish{stops, steadySeconds()};
+  const auto refuse = [&state = state_](const std::string& why) {
+    if (why.empty()) return;
+    state.arming.update([&](ArmingState& arming) {
+      arming.refused = {plainText(why), steadySeconds()};
+    });
+  };
+  const bool taken = arming_->add("arm", [refuse, wish, &state = state_, helm = helm_] {
+    state.arming.set({wish.at, {}});
+    refuse(armTheGate(state, helm, wish));
+  });
+  if (!taken) refuse("earlier wishes wait still");
 }
 
 void RosLink::askPlace(const std::function<void(PlaceAsks&)>& ask) {
@@ -68,8 +83,7 @@ void RosLink::askPlace(const std::function<void(PlaceAsks&)>& ask) {
 
 void RosLink::pause(double seconds) {
   std::unique_lock<std::mutex> lock(mutex_);
-  wake_.wait_for(lock, std::chrono::duration<double>(seconds),
-                 [&] { return stopping_ || !wishes_.empty(); });
+  wake_.wait_for(lock, std::chrono::duration<double>(seconds), [&] { return stopping_; });
 }
 
 void RosLink::setPhase(LinkPhase phase, double round_trip_ms) {
@@ -98,14 +112,9 @@ void RosLink::run() {
   ros::master::setRetryTimeout(ros::WallDuration(1.0));
   setPhase(LinkPhase::kStarting, 0.0);
   for (;;) {
-    std::deque<std::function<void(RosStreams&)>> wishes;
     {
       const std::lock_guard<std::mutex> lock(mutex_);
       if (stopping_) break;
-      wishes.swap(wishes_);
-    }
-    for (const auto& wish : wishes) {
-      if (streams_) wish(*streams_);
     }
     pause(connectedStep() ? 0.5 : 1.0);
   }

@@ -2,7 +2,6 @@
 
 #include <atomic>
 #include <condition_variable>
-#include <deque>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -11,11 +10,12 @@
 #include <vector>
 
 #include "gui/model/console_state.hpp"
+#include "gui/model/errand_thread.hpp"
+#include "gui/model/helm.hpp"
 #include "gui/model/place_asks.hpp"
 
 namespace pilothouse::gui {
 
-class Helm;
 class RosStreams;
 
 /// Keeps the connection to the ROS master on a thread of its own: waits for a master, subscribes,
@@ -35,8 +35,9 @@ class RosLink {
   bool stop(double patience);
   /// Asks the floor nodelet for a change of its parameters; the answer comes in floor_settings.
   void askFloor(const std::string& method, bool calibrate);
-  /// Asks the stop gate to let the robot drive again; a refusal comes in state.arming.
-  void askArm();
+  /// Takes back the stops up to this one and asks the stop gate to let the robot drive again, on a
+  /// thread of its own that nothing else holds up; how it goes stands in state.arming.
+  void askArm(StopSerial stops);
   /// What the operator asks about the place. The action runs with the connection's errands; without
   /// a connection the answer says so.
   void askPlace(const std::function<void(PlaceAsks&)>& ask);
@@ -49,16 +50,14 @@ class RosLink {
   void pause(double seconds);
 
   std::vector<std::string> arguments_;
-  void wish(std::function<void(RosStreams&)> wish);
-
   ConsoleState& state_;
   Helm* helm_;
   std::unique_ptr<RosStreams> streams_;
   Guarded<std::shared_ptr<PlaceAsks>> errands_;
+  std::unique_ptr<ErrandThread> arming_, floor_;  ///< used by the GUI thread
   std::thread thread_;
   std::mutex mutex_;
   std::condition_variable wake_;
-  std::deque<std::function<void(RosStreams&)>> wishes_;
   std::string master_id_;
   bool stopping_ = false;
   bool ended_ = false;

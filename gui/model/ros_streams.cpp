@@ -1,8 +1,6 @@
 #include "gui/model/ros_streams.hpp"
 
-#include <dynamic_reconfigure/Reconfigure.h>
 #include <ros/master.h>
-#include <ros/service.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include <cmath>
@@ -234,27 +232,6 @@ void RosStreams::announced(const dynamic_reconfigure::Config& config) {
   }
   for (const auto& entry : config.bools) {
     if (entry.name == "calibrate_mounting") settings.calibrate = entry.value != 0;
-  }
-  state_.floor_settings.set(settings);
-}
-
-void RosStreams::setFloor(const std::string& method, bool calibrate) {
-  dynamic_reconfigure::Reconfigure call;
-  call.request.config.strs.resize(1);
-  call.request.config.strs[0].name = "method";
-  call.request.config.strs[0].value = method;
-  call.request.config.bools.resize(1);
-  call.request.config.bools[0].name = "calibrate_mounting";
-  call.request.config.bools[0].value = calibrate;
-  const std::string service = node_.resolveName("floor/set_parameters");
-  FloorSettings settings = state_.floor_settings.get();
-  settings.fault.clear();
-  if (!ros::service::exists(service, false)) {
-    settings.fault = "no service " + service;
-  } else if (!ros::service::call(service, call)) {
-    settings.fault = service + " refused the change";
-  } else {
-    return;  // the nodelet announces what it now uses
   }
   state_.floor_settings.set(settings);
 }

@@ -31,9 +31,6 @@ class RosStreams {
 
   /// Once or twice a second: chooses between sources, looks at tf, publishes the topics in sight.
   void review();
-  /// Calls the floor nodelet's set_parameters.
-  void setFloor(const std::string& method, bool calibrate);
-  DriveStreams& drive() { return drive_; }
 
  private:
   template <class Message>

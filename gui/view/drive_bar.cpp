@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QSlider>
 #include <QVBoxLayout>
+#include <QWindow>
 #include <cmath>
 
 #include "gui/model/helm.hpp"
@@ -30,8 +31,9 @@ DriveSituation driveSituationOf(const ConsoleState& state, const Helm& helm, dou
   if (const auto gate = state.gate.latest()) s.stop = *gate;
   s.helm = helm.view();
   s.contacts = state.contacts.get();
-  const Refusal refusal = state.arming.get();
-  if (now - refusal.at < kRefusalShown) s.arming_refused = refusal.reason;
+  const ArmingState arming = state.arming.get();
+  s.arming_for = now - arming.asked_at;
+  if (now - arming.refused.at < kRefusalShown) s.arming_refused = arming.refused.reason;
   return s;
 }
 
@@ -67,14 +69,22 @@ DriveBar::DriveBar(const PanelContext& context, QWidget* parent)
   cap->addWidget(cap_);
   layout->addLayout(cap);
   connect(stop_, &QAbstractButton::pressed, this, [this] { context_.helm->stop(); });
-  connect(arm_, &HoldButton::confirmed, this, [this] {
-    if (context_.ask_arm) context_.ask_arm();
-  });
+  watchHold();
   connect(cap_, &QSlider::valueChanged, this, &DriveBar::setCap);
   const double most = context.robot.drive.max_speed;
   cap_->setValue(static_cast<int>(std::lround(100.0 * std::min(1.0, kUsualCap / most))));
   setCap(cap_->value());
   qApp->installEventFilter(this);
+}
+
+// A hold takes back what was pressed before it began; a stop or a lost focus ends it.
+void DriveBar::watchHold() {
+  connect(arm_, &HoldButton::begun, this, [this] { hold_began_at_ = context_.helm->stops(); });
+  connect(arm_, &HoldButton::confirmed, this, [this] {
+    const bool stopped_since = context_.helm->stops() != hold_began_at_;
+    if (context_.ask_arm && !stopped_since) context_.ask_arm(hold_began_at_);
+  });
+  connect(qApp, &QGuiApplication::focusWindowChanged, arm_, [this] { arm_->drop(true); });
 }
 
 void DriveBar::setCap(int percent) {
@@ -86,6 +96,7 @@ void DriveBar::setCap(int percent) {
 void DriveBar::refresh(double now) {
   const DriveSituation situation = driveSituationOf(context_.state, *context_.helm, now);
   words_ = driveWords(situation);
+  if (context_.helm->stops() != hold_began_at_) arm_->drop(false);
   cause_->show(words_);
   keys_->show(situation.helm);
   const bool gate = situation.stop_state.ever && situation.stop_state.age_s < 1.0;
@@ -104,7 +115,7 @@ bool DriveBar::eventFilter(QObject*, QEvent* event) {
   const auto& key = *static_cast<QKeyEvent*>(event);
   if (key.key() != Qt::Key_F9) return false;
   if (event->type() == QEvent::KeyPress) {
-    arm_->keyDown();
+    arm_->keyDown(key.isAutoRepeat());
   } else if (!key.isAutoRepeat()) {
     arm_->keyUp();
   }

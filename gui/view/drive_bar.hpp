@@ -33,9 +33,11 @@ class DriveBar : public QWidget {
 
  private:
   void setCap(int percent);
+  void watchHold();
 
   PanelContext context_;
   DriveWords words_;
+  StopSerial hold_began_at_ = 0;  ///< stops when arming began to be held: a later one ends that
   StopButton* stop_;
   HoldButton* arm_;
   SpokenCause* cause_;

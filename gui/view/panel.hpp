@@ -6,12 +6,12 @@
 
 #include "doors/robot_description.hpp"
 #include "gui/model/console_state.hpp"
+#include "gui/model/helm.hpp"
 
 class QAction;
 
 namespace pilothouse::gui {
 
-class Helm;
 class PlaceAsks;
 
 /// What a panel may use. All of it outlives the panels.
@@ -20,11 +20,16 @@ struct PanelContext {
   const RobotDescription& robot;
   /// Asks the floor nodelet for (method, calibrate mounting); null in tests.
   std::function<void(const std::string&, bool)> ask_floor;
-  Helm* helm = nullptr;                     ///< null: a window that only watches
-  std::function<void()> ask_arm = nullptr;  ///< asks the stop gate to let the robot drive again
+  Helm* helm = nullptr;  ///< null: a window that only watches
+  /// Takes back the stops up to this one and asks the stop gate to let the robot drive again.
+  std::function<void(StopSerial)> ask_arm = nullptr;
   /// Runs an ask about the place at the robot's side; null: a window that only watches.
   std::function<void(const std::function<void(PlaceAsks&)>&)> ask_place = nullptr;
 };
+
+/// A key that is held down says a thing once. Only where that is harmless, as for what moves a view
+/// or turns a ghost, it may say it again and again: marks such an action.
+void repeatWhileHeld(QAction* action);
 
 /// One dock of the console. Each panel is one class in one file of view/panels that registers
 /// itself (panel_registry.hpp).

@@ -5,6 +5,7 @@
 #include <QPolygonF>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "gui/view/theme.hpp"
 
@@ -76,9 +77,9 @@ HoldButton::HoldButton(QWidget* parent) : QAbstractButton(parent) {
   connect(&ticks_, &QTimer::timeout, this, &HoldButton::progress);
   release_.setInterval(kDebounce);
   release_.setSingleShot(true);
-  connect(&release_, &QTimer::timeout, this, &HoldButton::end);
-  connect(this, &QAbstractButton::pressed, this, &HoldButton::begin);
-  connect(this, &QAbstractButton::released, this, &HoldButton::end);
+  connect(&release_, &QTimer::timeout, this, &HoldButton::letGo);
+  connect(this, &QAbstractButton::pressed, this, &HoldButton::press);
+  connect(this, &QAbstractButton::released, this, &HoldButton::letGo);
 }
 
 QSize HoldButton::sizeHint() const {
@@ -87,7 +88,7 @@ QSize HoldButton::sizeHint() const {
 
 void HoldButton::show(const QString& text, const QString& key, bool possible) {
   if (possible != isEnabled()) {
-    end();
+    drop(false);
     setEnabled(possible);
   }
   if (text == this->text() && key == key_) return;
@@ -96,31 +97,45 @@ void HoldButton::show(const QString& text, const QString& key, bool possible) {
   update();
 }
 
-void HoldButton::keyDown() {
+void HoldButton::keyDown(bool repeated) {
+  const bool again = repeated || release_.isActive();
   release_.stop();
-  if (isEnabled() && !holding_) begin();
+  if (!again) return press();
+  down_ = true;
 }
 
 void HoldButton::keyUp() {
-  if (holding_) release_.start();
+  if (down_) release_.start();
 }
 
-void HoldButton::begin() {
-  holding_ = true;
-  since_.start();
-  ticks_.start();
-  update();
-}
-
-void HoldButton::end() {
+void HoldButton::drop(bool released) {
   holding_ = false;
+  if (released) down_ = false;
   ticks_.stop();
   update();
 }
 
+void HoldButton::press() {
+  if (std::exchange(down_, true) || !isEnabled()) return;
+  holding_ = true;
+  held_ = 0;
+  last_look_.start();
+  ticks_.start();
+  update();
+  emit begun();
+}
+
+void HoldButton::letGo() {
+  release_.stop();
+  drop(true);
+}
+
+// A window that hung does not know whether it was held meanwhile, nor while a release is in doubt.
 void HoldButton::progress() {
-  if (since_.elapsed() >= kHold) {
-    end();
+  const auto passed = static_cast<int>(last_look_.restart());
+  if (passed <= kLate && !release_.isActive()) held_ += passed;
+  if (held_ >= kHold) {
+    drop(false);
     emit confirmed();
   }
   update();
@@ -137,7 +152,7 @@ void HoldButton::paintEvent(QPaintEvent*) {
   if (holding_) {
     painter.save();
     painter.setClipPath(shape);
-    const double share = std::min(1.0, static_cast<double>(since_.elapsed()) / kHold);
+    const double share = std::min(1.0, static_cast<double>(held_) / kHold);
     painter.fillRect(QRectF(box.left(), box.top(), box.width() * share, box.height()),
                      QColor(0x2f, 0x8f, 0x63));
     painter.restore();
