@@ -91,7 +91,8 @@ class PlaceConsole : public ::testing::Test {
     idle.phase = TaskPhase::kIdle;
     deliver<TaskReading>(state.place.task, std::make_shared<TaskReading>(idle));
     window = std::make_unique<MainWindow>(
-        PanelContext{state, robot, nullptr, &helm, nullptr,
+        PanelContext{state, robot, nullptr, &helm,
+                     [this](StopSerial stops) { armed.push_back(stops); },
                      [this](const std::function<void(PlaceAsks&)>& ask) { ask(asked); }},
         false);
     window->show();
@@ -128,6 +129,11 @@ class PlaceConsole : public ::testing::Test {
         std::make_shared<RouteShelf>(RouteShelf{before ? before->serial + 1 : 1, route, files}));
     refresh();
   }
+  /// As long as something must be in sight before it is sent.
+  void lookAtIt() {
+    refresh();
+    QTest::qWait(static_cast<int>(1000.0 * AimTool::kLook) + 50);
+  }
   void answer(bool way) {
     Preview preview;
     preview.id = asked.id;
@@ -140,12 +146,14 @@ class PlaceConsole : public ::testing::Test {
     if (!way) preview.nearest = Eigen::Vector2d(1.5, 0.5);
     state.place.preview.set(std::make_shared<const Preview>(preview));
     refresh();
+    lookAtIt();
   }
 
   ConsoleState state;
   const RobotDescription robot = platform();
   Helm helm{robot.drive};
   Asked asked;
+  std::vector<StopSerial> armed;
   std::unique_ptr<MainWindow> window;
   PlaceView* place = nullptr;
   PlaceCanvas* canvas = nullptr;

@@ -3,14 +3,18 @@
 #include <QAction>
 #include <QDialog>
 #include <QDialogButtonBox>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QSignalSpy>
+#include <QThread>
 #include <cmath>
 #include <set>
 
 #include "gui/model/class_colours.hpp"
+#include "gui/view/stop_button.hpp"
 #include "gui/view/task_bar.hpp"
 #include "test/place_console.hpp"
 
@@ -18,6 +22,74 @@ using namespace pilothouse;
 using namespace pilothouse::gui;
 
 namespace {
+
+TEST(HoldButton, armsOnlyByTimeThatItWasSeenHeld) {
+  HoldButton button;
+  button.show("Hold to arm", "F9", true);
+  QSignalSpy armed(&button, &HoldButton::confirmed);
+  const auto tap = [&](int stall) {
+    button.keyDown(false);
+    QThread::msleep(static_cast<unsigned long>(stall));  // the window hangs, on purpose
+    QTest::qWait(20);  // its clock's tick comes before the release
+    button.keyUp();
+    QTest::qWait(3 * HoldButton::kDebounce);
+  };
+  tap(HoldButton::kHold + 200);
+  EXPECT_EQ(armed.count(), 0);
+  button.keyDown(false);
+  ASSERT_TRUE(armed.wait(20000));
+  for (int i = 0; i < 40; ++i) {  // kept down: the keyboard says so again and again
+    button.keyUp();
+    button.keyDown(i % 2 == 0);
+    QTest::qWait(30);
+  }
+  EXPECT_EQ(armed.count(), 1) << "it must be let go before";
+  button.keyUp();
+  QTest::qWait(3 * HoldButton::kDebounce);
+  button.keyDown(false);
+  QTest::qWait(50);
+  button.drop(true);  // the focus went, and the release with it
+  QTest::qWait(HoldButton::kHold + 200);
+  EXPECT_EQ(armed.count(), 1);
+  button.keyDown(true);  // back, the finger still there
+  QTest::qWait(HoldButton::kHold + 200);
+  EXPECT_EQ(armed.count(), 1);
+  button.keyUp();
+  QTest::qWait(3 * HoldButton::kDebounce);
+  button.keyDown(false);
+  EXPECT_TRUE(armed.wait(20000));
+}
+
+TEST_F(PlaceConsole, aStopPressedWhileArmingIsHeldEndsThat) {
+  helm.stop();
+  refresh();
+  auto* arm = window->findChild<HoldButton*>("arm_button");
+  ASSERT_TRUE(arm->isEnabled());
+  QTest::keyPress(window.get(), Qt::Key_F9);
+  QTest::qWait(100);
+  helm.stop();
+  QTest::qWait(HoldButton::kHold + 300);
+  EXPECT_TRUE(armed.empty());
+  QTest::keyRelease(window.get(), Qt::Key_F9);
+  QTest::qWait(3 * HoldButton::kDebounce);
+  QTest::keyPress(window.get(), Qt::Key_F9);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !armed.empty(); }, 20000));
+  EXPECT_EQ(armed.back(), helm.stops());
+  QTest::keyRelease(window.get(), Qt::Key_F9);
+}
+
+TEST_F(PlaceConsole, aLostFocusEndsTheHold) {
+  helm.stop();
+  refresh();
+  QTest::keyPress(window.get(), Qt::Key_F9);
+  QTest::qWait(100);
+  QWidget other;
+  other.show();
+  other.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&other));
+  QTest::qWait(HoldButton::kHold + 300);
+  EXPECT_TRUE(armed.empty());
+}
 
 TEST_F(PlaceConsole, aGoalIsShownWithItsWayBeforeItIsSent) {
   press(Qt::Key_G);
@@ -79,6 +151,40 @@ TEST_F(PlaceConsole, keysAloneAimTurnAndSendAndNothingDrives) {
   EXPECT_FALSE(helm.arrowsAim());
 }
 
+TEST_F(PlaceConsole, noSecondClickOfADoubleClickSendsAndNoKeyThatIsHeldDown) {
+  press(Qt::Key_I);
+  click(1, 1);
+  QTest::mouseDClick(canvas, Qt::LeftButton, {}, at(1, 1));
+  EXPECT_TRUE(asked.poses.empty());
+  EXPECT_TRUE(place->poseTool().aim().goal()) << "it waits to be looked at";
+  lookAtIt();
+  click(1, 1);
+  EXPECT_EQ(asked.poses.size(), 1U);
+  std::set<QString> repeated;
+  for (const auto* action : window->findChildren<QAction*>()) {
+    if (!action->autoRepeat()) continue;
+    for (const auto& key : action->shortcuts()) repeated.insert(key.toString());
+  }
+  EXPECT_EQ(repeated, (std::set<QString>{",", ".", "+", "=", "-", "F", "Ctrl+Left", "Ctrl+Right",
+                                         "Ctrl+Up", "Ctrl+Down"}));
+}
+
+// As X hands them over when the pair is torn apart: neither is marked.
+TEST_F(PlaceConsole, whatTheKeyboardRepeatsUnmarkedIsNoShortcut) {
+  const auto becomesShortcut = [&](unsigned long released, unsigned long pressed) {
+    QKeyEvent release(QEvent::KeyRelease, Qt::Key_F6, Qt::NoModifier);
+    release.setTimestamp(released);
+    QApplication::sendEvent(window.get(), &release);
+    QKeyEvent press(QEvent::ShortcutOverride, Qt::Key_F6, Qt::NoModifier);
+    press.setTimestamp(pressed);
+    press.ignore();
+    QApplication::sendEvent(window.get(), &press);
+    return !press.isAccepted();
+  };
+  EXPECT_FALSE(becomesShortcut(1400, 1400)) << "the keyboard's";
+  EXPECT_TRUE(becomesShortcut(1440, 1600)) << "a finger's";
+}
+
 TEST_F(PlaceConsole, noWayTellsWhyAndOneKeyTakesTheNearestPlace) {
   press(Qt::Key_G);
   click(2.5, 1.5);
@@ -104,7 +210,7 @@ TEST_F(PlaceConsole, takingBackStopsNothingAndTheStopKeyStopsWithAToolInHand) {
   EXPECT_FALSE(place->goalTool().aim().goal());
   EXPECT_TRUE(helm.stopped());
   EXPECT_FALSE(helm.arrowsAim());
-  helm.release();
+  helm.release(helm.stops());
   press(Qt::Key_R);
   press(Qt::Key_Space);
   EXPECT_TRUE(helm.stopped());
@@ -116,7 +222,9 @@ TEST_F(PlaceConsole, aPoseIsSetWithItsSpread) {
   press(Qt::Key_BracketRight);
   const double stated = place->poseTool().spread().place;
   EXPECT_GT(stated, PoseSpread().place);
+  press(Qt::Key_Return);
   EXPECT_TRUE(asked.poses.empty()) << "shown first";
+  lookAtIt();
   press(Qt::Key_Return);
   ASSERT_EQ(asked.poses.size(), 1U);
   EXPECT_NEAR(std::abs(asked.poses[0].first.heading), M_PI, 0.1);

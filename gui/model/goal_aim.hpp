@@ -43,6 +43,8 @@ class GoalAim {
   bool takeNearest();
 
   const std::optional<PlaceGoal>& goal() const { return goal_; }
+  /// Of the goal: each change counts.
+  std::uint32_t version() const { return version_; }
   AimPhase phase(double now) const;
   /// The answer to the goal as it is; null: none yet.
   const Preview* preview() const { return answer_.get(); }

@@ -53,7 +53,12 @@ void AimTool::enter() {
     if (for_ == For::kPose) aim_.setHeading(0.0);
     return;
   }
-  const auto goal = aim_.send(now_ = steadySeconds());
+  now_ = steadySeconds();
+  if (aim_.version() == seen_ && now_ - seen_since_ >= kLook) send();
+}
+
+void AimTool::send() {
+  const auto goal = aim_.send(now_);
   if (!goal || !ask_) return;
   if (for_ == For::kGoal) return ask_([&](PlaceAsks& asks) { asks.goTo(*goal); });
   const Pose2 pose{goal->place.x(), goal->place.y(), goal->heading.value_or(0.0)};
@@ -128,6 +133,9 @@ bool AimTool::refresh(double now) {
   const bool news = newest != heard_;
   if (news) aim_.answered(heard_ = std::move(newest));
   const AimPhase phase = aim_.phase(now);
+  const bool can_be_sent = phase == AimPhase::kFound || phase == AimPhase::kUnanswered;
+  if (!can_be_sent || phase != shown_ || aim_.version() != seen_) seen_since_ = now;
+  seen_ = aim_.version();
   return std::exchange(shown_, phase) != phase || news;
 }
 

@@ -11,10 +11,12 @@ namespace pilothouse::gui {
 /// How the view asks for something about the place.
 using AskPlace = std::function<void(const std::function<void(PlaceAsks&)>&)>;
 
-/// Aims at a goal, with its way before it is sent; or at where the robot is, to set its pose.
+/// Aims at a goal, with its way before it is sent; or at where the robot is, to set its pose. What
+/// is sent was in sight for a moment as it is: a key that repeats or a double click sends nothing.
 class AimTool : public MapTool {
  public:
   enum class For { kGoal, kPose };
+  static constexpr double kLook = 0.5;  ///< [s]
   AimTool(For what, const PlaceState& state, AskPlace ask, Footprint outline);
 
   void press(Eigen::Vector2d at, double reach) override;
@@ -33,6 +35,7 @@ class AimTool : public MapTool {
 
  private:
   void enter();
+  void send();
   void spreadBy(double factor);
 
   For for_;
@@ -46,6 +49,8 @@ class AimTool : public MapTool {
   bool sends_on_release_ = false;  ///< pressed on the ghost and not dragged
   std::shared_ptr<const Preview> heard_;
   AimPhase shown_ = AimPhase::kNone;
+  std::uint32_t seen_ = 0;    ///< version of the goal that is in sight with its way
+  double seen_since_ = 1e18;  ///< steady [s]
 };
 
 }  // namespace pilothouse::gui

@@ -98,12 +98,27 @@ bool DrivingKeys::key(QKeyEvent& event, bool pressed) {
   return true;
 }
 
+// X may deliver what the keyboard repeats as a release and a press of the same moment, unmarked.
+bool DrivingKeys::repeats(const QKeyEvent& event) {
+  constexpr unsigned long kDebounce = 15;  // ms
+  return event.timestamp() != 0 && event.key() == released_ &&
+         event.timestamp() - released_at_ < kDebounce;
+}
+
 // A key that is not kept comes twice, to the window and to the widget: both mean the same.
 bool DrivingKeys::eventFilter(QObject*, QEvent* event) {
   switch (event->type()) {
+    case QEvent::ShortcutOverride: {
+      auto& press = *static_cast<QKeyEvent*>(event);
+      if (!repeats(press)) return false;
+      press.accept();  // no shortcut: what it does was done at the first press
+      return true;
+    }
     case QEvent::KeyPress:
       return key(*static_cast<QKeyEvent*>(event), true);
     case QEvent::KeyRelease:
+      released_ = static_cast<QKeyEvent*>(event)->key();
+      released_at_ = static_cast<QKeyEvent*>(event)->timestamp();
       return key(*static_cast<QKeyEvent*>(event), false);
     case QEvent::WindowDeactivate:
       review();

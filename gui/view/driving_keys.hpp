@@ -29,9 +29,12 @@ class DrivingKeys : public QObject {
 
  private:
   bool key(QKeyEvent& event, bool pressed);
+  bool repeats(const QKeyEvent& event);
 
   Helm& helm_;
   bool watched_;
+  int released_ = 0;  ///< the key that was let go last, by the server's clock [ms]
+  unsigned long released_at_ = 0;
 };
 
 }  // namespace pilothouse::gui

@@ -103,7 +103,7 @@ void showShortcuts(QMainWindow& window) {
   panels->addWidget(heading(QObject::tr("Mouse on the map")), panels->rowCount(), 0);
   addRow(panels, QObject::tr("Zoom about the cursor"), QObject::tr("wheel"));
   addRow(panels, QObject::tr("Move the map"), QObject::tr("drag"));
-  addRow(panels, QObject::tr("Fit the map"), QObject::tr("double click"));
+  addRow(panels, QObject::tr("Fit the map, without a tool"), QObject::tr("double click"));
   addRow(panels, QObject::tr("With a tool: place, and heading"), QObject::tr("press, drag"));
   addRow(panels, QObject::tr("With a tool: send it"), QObject::tr("click on it"));
   addRow(panels, QObject::tr("With a tool: take it back; move the map"),

@@ -27,7 +27,8 @@ namespace pilothouse::gui {
 namespace {
 constexpr int kPictureInterval = 12;  // ms between looks for new pictures; Pace bounds the drawing
 constexpr int kNumberInterval = 200;  // ms
-constexpr int kLayoutVersion = 2;     // raise when ids or places of panels change
+constexpr const char* kRepeats = "repeats";
+constexpr int kLayoutVersion = 2;  // raise when ids or places of panels change
 }  // namespace
 
 MainWindow::MainWindow(const PanelContext& context, bool remember, bool keys_watched)
@@ -221,6 +222,13 @@ void MainWindow::buildMenus() {
   auto* keys = help->addAction(tr("Keyboard shortcuts"), this, [this] { showShortcuts(*this); });
   keys->setShortcut(QKeySequence("F1"));
   help->addAction(tr("About Pilothouse"), this, [this] { showAbout(*this); });
+  for (auto* action : findChildren<QAction*>()) {
+    action->setAutoRepeat(action->property(kRepeats).toBool());
+  }
+}
+
+void repeatWhileHeld(QAction* action) {
+  action->setProperty(kRepeats, true);
 }
 
 bool MainWindow::complete() const {

@@ -165,6 +165,7 @@ void PlaceView::addFiles() {
 void PlaceView::addKey(const QString& text, const QList<QKeySequence>& keys, ToolKey key) {
   tool_keys_ << addAction(text, keys, [this, key] { this->key(key); });
   tool_keys_.back()->setEnabled(false);
+  if (key == ToolKey::kTurnLeft || key == ToolKey::kTurnRight) repeatWhileHeld(tool_keys_.back());
 }
 
 void PlaceView::addToolKeys() {

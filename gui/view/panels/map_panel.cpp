@@ -181,13 +181,14 @@ class MapPanel : public Panel {
 
   void addMoves() {
     const auto both = [this](const QString& text, const QList<QKeySequence>& keys, auto act) {
-      addAction(text, keys, [this, act] {
+      auto* action = addAction(text, keys, [this, act] {
         if (placeShown()) {
           act(place_->canvas());
         } else {
           act(canvas_);
         }
       });
+      repeatWhileHeld(action);
     };
     both(tr("Fit the map"), {Qt::Key_F}, [](auto* canvas) { canvas->fit(); });
     both(tr("Zoom in"), {Qt::Key_Plus, Qt::Key_Equal}, [](auto* canvas) { canvas->zoomIn(); });
@@ -240,11 +241,12 @@ class MapPanel : public Panel {
   }
 
   template <class Slot>
-  void addAction(const QString& text, const QList<QKeySequence>& keys, Slot slot) {
+  QAction* addAction(const QString& text, const QList<QKeySequence>& keys, Slot slot) {
     auto* action = new QAction(text, this);
     action->setShortcuts(keys);
     connect(action, &QAction::triggered, this, slot);
     actions_ << action;
+    return action;
   }
 
   HeaderStrip* strip_;
