@@ -11,6 +11,7 @@
 #include "gui/model/helm.hpp"
 #include "gui/model/key_watcher.hpp"
 #include "gui/model/ros_link.hpp"
+#include "gui/view/drive_bar.hpp"
 #include "gui/view/main_window.hpp"
 #include "gui/view/options.hpp"
 #include "gui/view/screenshot.hpp"
@@ -80,6 +81,9 @@ int main(int argc, char** argv) {
   QTimer watch;
   QObject::connect(&watch, &QTimer::timeout, [&] {
     if (interrupted) window.close();
+    if (!watcher || !window.driveBar()) return;
+    const QRect stop = window.driveBar()->stopPlace();
+    watcher->heedPresses({stop.x(), stop.y(), stop.width(), stop.height()});
   });
   watch.start(100);
 

@@ -9,6 +9,7 @@
 
 #include <QProcess>
 #include <QTest>
+#include <QTimer>
 #include <algorithm>
 #include <cstdlib>
 #include <functional>
@@ -20,6 +21,7 @@
 #include "gui/model/helm.hpp"
 #include "gui/model/key_watcher.hpp"
 #include "gui/model/ros_link.hpp"
+#include "gui/view/drive_bar.hpp"
 #include "gui/view/main_window.hpp"
 
 namespace pilothouse::gui {
@@ -118,6 +120,11 @@ class Bridge {
         false, watcher != nullptr);
     window->show();
     if (watcher) watcher->heed(window->winId());
+    QObject::connect(&watch, &QTimer::timeout, [this] {
+      const QRect stop = window->driveBar()->stopPlace();
+      if (watcher) watcher->heedPresses({stop.x(), stop.y(), stop.width(), stop.height()});
+    });
+    watch.start(100);
     helm.start();
     link.start();
   }
@@ -189,6 +196,7 @@ class Bridge {
   std::unique_ptr<KeyWatcher> watcher = KeyWatcher::open(helm);
   std::unique_ptr<MainWindow> window;
   std::unique_ptr<Recorder> recorder;
+  QTimer watch;
 };
 
 }  // namespace pilothouse::gui

@@ -162,7 +162,8 @@ class PlaceConsole : public ::testing::Test {
 inline int qt_warnings = 0;
 
 inline void onMessage(QtMsgType type, const QMessageLogContext&, const QString& message) {
-  if (message.contains("propagateSizeHints")) return;  // of the offscreen platform itself
+  // Of the offscreen platform itself.
+  if (message.contains("propagateSizeHints") || message.contains("plugin does not support")) return;
   std::fprintf(stderr, "Qt: %s\n", qPrintable(message));
   if (type != QtDebugMsg && type != QtInfoMsg) ++qt_warnings;
 }

@@ -168,6 +168,39 @@ TEST_F(ConsoleDrive, theStopKeyWorksWhileTheWindowHangs) {
   EXPECT_TRUE(bridge->helm.stopped());
 }
 
+TEST_F(ConsoleDrive, theStopButtonWorksWhileTheWindowHangsAndBesideAnOpenMenu) {
+  auto* stop = bridge->window->findChild<StopButton*>("stop_button");
+  const QPoint at = stop->mapToGlobal(stop->rect().center());
+  QTest::qWait(200);  // the watcher has heard where it is
+  xdotool(QString("mousemove --sync %1 %2").arg(at.x()).arg(at.y()));
+  double since = steadySeconds();
+  const StopSerial stops = bridge->helm.stops();
+  std::thread presser([&] {
+    QThread::msleep(300);  // well within the hang
+    xdotool("click 1");
+  });
+  QThread::msleep(2000);  // the GUI thread hangs, on purpose
+  const double back = steadySeconds();
+  presser.join();
+  const auto beats = bridge->recorder->beats(since);
+  const auto first =
+      std::find_if(beats.begin(), beats.end(), [](const auto& beat) { return beat.message.stop; });
+  ASSERT_NE(first, beats.end());
+  EXPECT_LT(first->at, back) << "published while the window hung";
+  // The window hears of it late: that is a press too.
+  ASSERT_TRUE(bridge->wait([&] { return bridge->helm.stops() >= stops + 2; }));
+  bridge->makeReady();
+  since = steadySeconds();
+  xdotool("key alt+c");
+  ASSERT_TRUE(bridge->wait([] { return QApplication::activePopupWidget() != nullptr; }));
+  const QRect menu = QApplication::activePopupWidget()->geometry();
+  EXPECT_FALSE(menu.intersects({stop->mapToGlobal(QPoint(0, 0)), stop->size()}));
+  xdotool("click 1");
+  EXPECT_TRUE(bridge->stopPublished(since));
+  QTest::qWait(100);
+  if (auto* popup = QApplication::activePopupWidget()) popup->close();
+}
+
 TEST_F(ConsoleDrive, aWindowThatHangsEndsDrivingByHandButNotTheSignOfLife) {
   const double since = steadySeconds();
   xdotool("keydown w");

@@ -6,8 +6,11 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
+#include <QMenuBar>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QScreen>
 #include <QSignalSpy>
 #include <QThread>
 #include <cmath>
@@ -403,6 +406,45 @@ TEST_F(PlaceConsole, theKeySheetBeginsWithTheStop) {
     EXPECT_EQ(texts.count(keys), 1) << keys;
   }
   sheet->close();
+}
+
+TEST_F(PlaceConsole, theStopTakesTheMouseBesideEverySheetAndMenu) {
+  auto* stop = window->findChild<StopButton*>("stop_button");
+  const QPoint middle = stop->mapTo(window.get(), stop->rect().center());
+  const QRect place(stop->mapToGlobal(QPoint(0, 0)), stop->size());
+  const auto stops = [&](const QString& beside) {
+    const StopSerial before = helm.stops();
+    QTest::mouseClick(window->windowHandle(), Qt::LeftButton, {}, middle);
+    EXPECT_GT(helm.stops(), before) << qPrintable(beside);
+  };
+  stops("nothing");
+  int sheets = 0, menus = 0;
+  const auto* bar = window->findChild<QMenuBar*>();
+  for (auto* menu : bar->actions()) {
+    for (auto* action : menu->menu()->actions()) {
+      const QString text = action->text();
+      if (!text.endsWith("...") && text != "Keyboard shortcuts" && !text.startsWith("About P")) {
+        continue;
+      }
+      action->trigger();
+      QTest::qWait(30);
+      const auto dialogs = window->findChildren<QDialog*>();
+      ASSERT_EQ(dialogs.size(), 1) << qPrintable(text);
+      EXPECT_FALSE(dialogs[0]->frameGeometry().intersects(place)) << qPrintable(text);
+      stops(text);
+      ++sheets;
+    }
+    // One that is as high as this small screen lies where there is room.
+    if (menu->menu()->sizeHint().height() > QGuiApplication::primaryScreen()->size().height() / 2)
+      continue;
+    menu->menu()->popup(bar->mapToGlobal(bar->actionGeometry(menu).bottomLeft()));
+    EXPECT_FALSE(menu->menu()->geometry().intersects(place)) << qPrintable(menu->text());
+    stops(menu->text());
+    menu->menu()->close();
+    ++menus;
+  }
+  EXPECT_GE(sheets, 5);
+  EXPECT_GE(menus, 3);
 }
 
 TEST_F(PlaceConsole, everyKeyIsUniqueWithToolsToo) {

@@ -9,6 +9,7 @@
 #include <optional>
 #include <thread>
 
+#include "gui/model/guarded.hpp"
 #include "gui/model/helm.hpp"
 // Last, for their macros. Xlibint: nothing else tells the mask of a client's ids.
 #include <X11/XKBlib.h>
@@ -69,6 +70,7 @@ class XKeyWatcher : public KeyWatcher {
     XCloseDisplay(display_);
   }
   void heed(unsigned long window) override { window_ = window; }
+  void heedPresses(Place place) override { stop_.set(place); }
 
  private:
   static constexpr int kIdle = 50;      // ms between looks whether the end has come
@@ -93,6 +95,7 @@ class XKeyWatcher : public KeyWatcher {
     if (cookie.type != GenericEvent || cookie.extension != opcode_) return;
     if (!XGetEventData(display_, &cookie)) return;
     const auto* key = static_cast<const XIRawEvent*>(cookie.data);
+    if (cookie.evtype == XI_RawButtonPress && key->detail == Button1 && onTheStop()) helm_.stop();
     const auto code = static_cast<KeyCode>(key->detail);
     if (cookie.evtype == XI_RawKeyPress) {
       pressed(code, XkbKeycodeToKeysym(display_, code, 0, 0));
@@ -133,6 +136,23 @@ class XKeyWatcher : public KeyWatcher {
     }
   }
 
+  // The window that lies uppermost under the pointer must be the one that has the stop.
+  bool onTheStop() {
+    const Place stop = stop_.get();
+    Window at = DefaultRootWindow(display_), root = None, child = None;
+    int root_x = 0, root_y = 0, x = 0, y = 0;
+    unsigned state = 0;
+    while (at != None) {
+      child = None;
+      if (!XQueryPointer(display_, at, &root, &child, &root_x, &root_y, &x, &y, &state))
+        return false;
+      if (at == window_) break;
+      at = child;
+    }
+    return at != None && x >= stop.x && y >= stop.y && x < stop.x + stop.width &&
+           y < stop.y + stop.height;
+  }
+
   bool isShortcut() {
     XkbStateRec state{};
     XkbGetState(display_, XkbUseCoreKbd, &state);
@@ -152,6 +172,7 @@ class XKeyWatcher : public KeyWatcher {
   Display* display_;
   int opcode_;
   std::atomic<unsigned long> window_{0};
+  Guarded<Place> stop_;
   std::map<KeyCode, KeyMeaning> held_;
   std::atomic<bool> ending_{false};
   std::thread thread_;
@@ -172,9 +193,10 @@ std::unique_ptr<KeyWatcher> KeyWatcher::open(Helm& helm) {
     XCloseDisplay(display);
     return nullptr;
   }
-  unsigned char bits[XIMaskLen(XI_RawKeyRelease)] = {};
+  unsigned char bits[XIMaskLen(XI_RawButtonPress)] = {};
   XISetMask(bits, XI_RawKeyPress);
   XISetMask(bits, XI_RawKeyRelease);
+  XISetMask(bits, XI_RawButtonPress);
   XIEventMask mask{XIAllMasterDevices, static_cast<int>(sizeof bits), bits};
   XISelectEvents(display, DefaultRootWindow(display), &mask, 1);
   XFlush(display);

@@ -109,8 +109,25 @@ void DriveBar::refresh(double now) {
              latched || !gate ? tr("F9") : tr("ready"), latched);
 }
 
+QRect DriveBar::stopPlace() const {
+  if (!stop_->isVisible()) return {};
+  const double pixels = devicePixelRatioF();
+  const QPoint corner = stop_->mapTo(window(), QPoint(0, 0));
+  return {(QPointF(corner) * pixels).toPoint(), (QSizeF(stop_->size()) * pixels).toSize()};
+}
+
+// An open menu takes every press; where none of it lies a press on the stop is meant for the stop.
+void DriveBar::pressBesidePopup(QPoint at) {
+  const QWidget* popup = QApplication::activePopupWidget();
+  if (!popup || popup->geometry().contains(at) || !stop_->isVisible()) return;
+  if (stop_->rect().contains(stop_->mapFromGlobal(at))) context_.helm->stop();
+}
+
 // F9 held means the button held, wherever the focus is.
 bool DriveBar::eventFilter(QObject*, QEvent* event) {
+  if (event->type() == QEvent::MouseButtonPress) {
+    pressBesidePopup(static_cast<QMouseEvent*>(event)->globalPos());
+  }
   if (event->type() != QEvent::KeyPress && event->type() != QEvent::KeyRelease) return false;
   const auto& key = *static_cast<QKeyEvent*>(event);
   if (key.key() != Qt::Key_F9) return false;

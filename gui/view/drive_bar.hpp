@@ -27,6 +27,8 @@ class DriveBar : public QWidget {
   void refresh(double now);
   /// The words as shown: headline and advice.
   DriveWords words() const { return words_; }
+  /// Where the stop is in its window, in the screen's own pixels; empty: nowhere.
+  QRect stopPlace() const;
 
  protected:
   bool eventFilter(QObject* object, QEvent* event) override;
@@ -34,6 +36,7 @@ class DriveBar : public QWidget {
  private:
   void setCap(int percent);
   void watchHold();
+  void pressBesidePopup(QPoint at);
 
   PanelContext context_;
   DriveWords words_;

@@ -3,6 +3,7 @@
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QComboBox>
+#include <QDialog>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QPlainTextEdit>
@@ -52,8 +53,8 @@ bool types(const QWidget* widget) {
 }
 
 bool keysDrive() {
-  return !QApplication::activeModalWidget() && !QApplication::activePopupWidget() &&
-         !types(QApplication::focusWidget());
+  return !qobject_cast<QDialog*>(QApplication::activeWindow()) &&
+         !QApplication::activePopupWidget() && !types(QApplication::focusWidget());
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include "gui/view/sheet.hpp"
 #include "gui/view/theme.hpp"
 
 namespace pilothouse::gui {
@@ -75,18 +76,18 @@ QDialog* sheet(QMainWindow& window, const QString& title) {
   return dialog;
 }
 
-void finish(QDialog* dialog, QVBoxLayout* layout) {
+void finish(QDialog* dialog, QVBoxLayout* layout, const QMainWindow& window) {
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
   buttons->button(QDialogButtonBox::Close)->setIcon(QIcon());
   QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
   layout->addSpacing(theme::kSpace);
   layout->addWidget(buttons);
-  dialog->open();
+  showBeside(*dialog, window);
 }
 
 }  // namespace
 
-void showShortcuts(QMainWindow& window) {
+void showShortcuts(QMainWindow& window, const QMenuBar& bar) {
   auto* dialog = sheet(window, QObject::tr("Keyboard shortcuts"));
   dialog->setObjectName("shortcuts");
   auto* layout = new QVBoxLayout(dialog);
@@ -95,7 +96,7 @@ void showShortcuts(QMainWindow& window) {
   auto* own = column();
   auto* panels = column();
   addDriving(own);
-  const auto menus = window.menuBar()->actions();
+  const auto menus = bar.actions();
   for (int i = 0; i < menus.size(); ++i) {
     const bool first_or_last = i < 2 || i + 1 == menus.size();
     if (menus[i]->menu()) addMenu(first_or_last ? own : panels, *menus[i]);
@@ -125,9 +126,9 @@ void showShortcuts(QMainWindow& window) {
   scroll->setWidgetResizable(true);
   scroll->setWidget(content);
   const QSize wanted = content->sizeHint() + QSize(16, 4);
-  scroll->setMinimumSize(wanted.boundedTo(window.size() - QSize(60, 120)));
+  scroll->setMinimumSize(wanted.boundedTo(roomBeside(window) - QSize(60, 110)));
   layout->addWidget(scroll);
-  finish(dialog, layout);
+  finish(dialog, layout, window);
 }
 
 void showAbout(QMainWindow& window) {
@@ -143,7 +144,7 @@ void showAbout(QMainWindow& window) {
   text->setStyleSheet("color: #a0abb9;");
   layout->addWidget(name);
   layout->addWidget(text);
-  finish(dialog, layout);
+  finish(dialog, layout, window);
 }
 
 }  // namespace pilothouse::gui

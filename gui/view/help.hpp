@@ -2,10 +2,12 @@
 
 #include <QMainWindow>
 
+class QMenuBar;
+
 namespace pilothouse::gui {
 
-/// A sheet of all keys, gathered from the window's own actions.
-void showShortcuts(QMainWindow& window);
+/// A sheet of all keys, gathered from its menus.
+void showShortcuts(QMainWindow& window, const QMenuBar& menus);
 void showAbout(QMainWindow& window);
 
 }  // namespace pilothouse::gui

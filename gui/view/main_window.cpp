@@ -35,6 +35,7 @@ MainWindow::MainWindow(const PanelContext& context, bool remember, bool keys_wat
     : context_(context),
       remember_(remember),
       status_(new StatusLine),
+      menus_(new QMenuBar),
       pictures_(new QTimer(this)),
       numbers_(new QTimer(this)) {
   setWindowTitle(tr("Pilothouse - %1").arg(QString::fromStdString(context.robot.title)));
@@ -42,7 +43,11 @@ MainWindow::MainWindow(const PanelContext& context, bool remember, bool keys_wat
   // A screenshot has the same size on every screen; the operator's window must fit theirs.
   const QSize usual(1280, 800);
   resize(remember ? usual.boundedTo(QGuiApplication::primaryScreen()->availableSize()) : usual);
-  if (context.helm) addDriveBar(keys_watched);
+  if (context.helm) {
+    addDriveBar(keys_watched);
+  } else {
+    setMenuBar(menus_);
+  }
   if (context.ask_place) addTaskBar();
   for (const auto& entry : panelRegistry()) addPanel(entry);
   auto* bar = new QStatusBar;
@@ -71,15 +76,14 @@ MainWindow::MainWindow(const PanelContext& context, bool remember, bool keys_wat
 void MainWindow::addDriveBar(bool keys_watched) {
   bar_ = new DriveBar(context_);
   keys_ = new DrivingKeys(*context_.helm, keys_watched, this);
-  auto* tools = new QToolBar(tr("Drive"));
-  tools->setObjectName("drive_bar");
-  tools->setMovable(false);
-  tools->setFloatable(false);
-  tools->addWidget(bar_);
-  // The stop is always in sight: nothing may hide it.
-  tools->toggleViewAction()->setVisible(false);
-  tools->setContextMenuPolicy(Qt::PreventContextMenu);
-  addToolBar(Qt::TopToolBarArea, tools);
+  // Above the menus: the stop is always in sight, and none of them opens over it.
+  auto* top = new QWidget;
+  auto* rows = new QVBoxLayout(top);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setSpacing(0);
+  rows->addWidget(bar_);
+  rows->addWidget(menus_);
+  setMenuWidget(top);
 }
 
 // Only where a navigator is heard of: a camera alone has no tasks.
@@ -179,11 +183,11 @@ void MainWindow::shareOut() {
 }
 
 void MainWindow::buildMenus() {
-  auto* console = menuBar()->addMenu(tr("&Console"));
+  auto* console = menus_->addMenu(tr("&Console"));
   auto* quit = console->addAction(tr("&Quit"), this, &QWidget::close);
   quit->setShortcut(QKeySequence("Ctrl+Q"));
 
-  auto* view = menuBar()->addMenu(tr("&View"));
+  auto* view = menus_->addMenu(tr("&View"));
   int number = 0;  // a panel that cannot be had keeps its number: keys never move
   for (const auto& shown : panels_) {
     ++number;
@@ -208,18 +212,19 @@ void MainWindow::buildMenus() {
   reset->setShortcut(QKeySequence("Ctrl+0"));
 
   if (task_bar_) {
-    auto* task = menuBar()->addMenu(tr("Task"));
+    auto* task = menus_->addMenu(tr("Task"));
     for (auto* action : task_bar_->menuActions()) task->addAction(action);
   }
   for (const auto& shown : panels_) {
     const auto actions = shown.panel ? shown.panel->menuActions() : QVector<QAction*>();
     if (actions.isEmpty()) continue;
-    auto* own = menuBar()->addMenu(shown.entry.title);
+    auto* own = menus_->addMenu(shown.entry.title);
     for (auto* action : actions) own->addAction(action);
   }
 
-  auto* help = menuBar()->addMenu(tr("&Help"));
-  auto* keys = help->addAction(tr("Keyboard shortcuts"), this, [this] { showShortcuts(*this); });
+  auto* help = menus_->addMenu(tr("&Help"));
+  auto* keys =
+      help->addAction(tr("Keyboard shortcuts"), this, [this] { showShortcuts(*this, *menus_); });
   keys->setShortcut(QKeySequence("F1"));
   help->addAction(tr("About Pilothouse"), this, [this] { showAbout(*this); });
   for (auto* action : findChildren<QAction*>()) {

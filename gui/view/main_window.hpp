@@ -6,6 +6,7 @@
 #include "gui/view/panel_registry.hpp"
 
 class QDockWidget;
+class QMenuBar;
 class QToolBar;
 class QTimer;
 
@@ -62,6 +63,7 @@ class MainWindow : public QMainWindow {
   bool remember_, restored_ = false;
   QVector<Shown> panels_;
   StatusLine* status_;
+  QMenuBar* menus_;
   DriveBar* bar_ = nullptr;
   TaskBar* task_bar_ = nullptr;
   QToolBar* task_row_ = nullptr;

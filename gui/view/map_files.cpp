@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 #include <utility>
 
+#include "gui/view/sheet.hpp"
 #include "gui/view/theme.hpp"
 
 namespace pilothouse::gui {
@@ -44,7 +45,7 @@ void MapFiles::clear() {
   connect(box, &QMessageBox::buttonClicked, this, [this, keep](QAbstractButton* chosen) {
     if (chosen != keep) ask_([](PlaceAsks& asks) { asks.clearMap(); });
   });
-  box->open();
+  showBeside(*box, *over_);
 }
 
 void MapFiles::askName(const QString& title, const QString& text, const QString& act,
@@ -84,7 +85,7 @@ void MapFiles::askName(const QString& title, const QString& text, const QString&
     last_ = name->text();
     ask_([&](PlaceAsks& asks) { what(asks, last_.toStdString()); });
   });
-  dialog->open();
+  showBeside(*dialog, *over_);
 }
 
 }  // namespace pilothouse::gui

@@ -10,7 +10,8 @@ class QWidget;
 namespace pilothouse::gui {
 
 /// Saves, loads and clears the robot's map, each after a question; what came of it is told by the
-/// status line. The questions hold nobody up: the robot is seen and stopped as ever beside them.
+/// status line. The questions hold nobody up: the robot is seen and stopped as ever beside them
+/// (showBeside).
 class MapFiles : public QObject {
   Q_OBJECT
 
