@@ -80,7 +80,7 @@ int main(int argc, char** argv) {
 
   QTimer watch;
   QObject::connect(&watch, &QTimer::timeout, [&] {
-    if (interrupted) window.close();
+    if (interrupted || link.killed()) window.close();
     if (!watcher || !window.driveBar()) return;
     const QRect stop = window.driveBar()->stopPlace();
     watcher->heedPresses({stop.x(), stop.y(), stop.width(), stop.height()});

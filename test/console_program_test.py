@@ -17,6 +17,12 @@ CONSOLE = SOURCE = None
 PATIENCE = 60
 
 
+def free_port():
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return probe.getsockname()[1]
+
+
 class Program(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
@@ -76,6 +82,26 @@ class Program(unittest.TestCase):
                 head = picture.read(24)
             width, height = struct.unpack(">II", head[16:24])
             self.assertEqual((width, height), (1280 * scale, 800 * scale))
+
+    def test_rosnode_kill_ends_it_as_a_signal_does(self):
+        port = str(free_port())
+        self.environment["ROS_MASTER_URI"] = "http://127.0.0.1:" + port
+        master = subprocess.Popen(["rosmaster", "--core", "-p", port], env=self.environment,
+                                  stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.addCleanup(master.wait)
+        self.addCleanup(master.terminate)
+        process = subprocess.Popen([CONSOLE, "__name:=the_console"], env=self.environment)
+        self.addCleanup(process.kill)
+        until = time.monotonic() + PATIENCE
+        names = []
+        while not names and time.monotonic() < until:
+            names = [name for name in subprocess.run(
+                ["rosnode", "list"], env=self.environment, stdout=subprocess.PIPE,
+                stderr=subprocess.DEVNULL, text=True).stdout.split() if "console" in name]
+        self.assertTrue(names, "the console never came to the master")
+        subprocess.run(["rosnode", "kill", names[0]], env=self.environment, timeout=PATIENCE,
+                       stdout=subprocess.DEVNULL)
+        self.assertEqual(process.wait(timeout=PATIENCE), 0)
 
     def test_ends_quickly_while_a_master_does_not_answer(self):
         process = subprocess.Popen([CONSOLE], env=self.environment)

@@ -81,6 +81,19 @@ TEST_F(PlaceConsole, aStopPressedWhileArmingIsHeldEndsThat) {
   QTest::keyRelease(window.get(), Qt::Key_F9);
 }
 
+TEST_F(PlaceConsole, stoppedIsShownOnlyWhenTheGateSaysSo) {
+  auto* stop = window->findChild<StopButton*>("stop_button");
+  helm.stop();
+  refresh();
+  EXPECT_EQ(stop->state(), StopButton::State::kUnconfirmed);
+  auto gate = std::make_shared<StopReading>();
+  gate->phase = GatePhase::kStopped;
+  gate->cause = StopCause::kOperator;
+  deliver<StopReading>(state.gate, gate);
+  window->refreshNow();
+  EXPECT_EQ(stop->state(), StopButton::State::kStopped);
+}
+
 TEST_F(PlaceConsole, aLostFocusEndsTheHold) {
   helm.stop();
   refresh();

@@ -116,6 +116,13 @@ void RosLink::run() {
       const std::lock_guard<std::mutex> lock(mutex_);
       if (stopping_) break;
     }
+    // Only connected did we start it.
+    killed_ = !master_id_.empty() && !ros::ok();
+    if (killed_) {
+      setPhase(LinkPhase::kLost, 0.0);
+      pause(1.0);
+      continue;
+    }
     pause(connectedStep() ? 0.5 : 1.0);
   }
   endErrands();

@@ -33,6 +33,8 @@ class RosLink {
   /// Ends the threads. @return false when a call into ROS did not come back within `patience` [s]:
   /// the process must then end without waiting for it.
   bool stop(double patience);
+  /// Somebody has ended this node, as `rosnode kill` does: nothing is published any more.
+  bool killed() const { return killed_; }
   /// Asks the floor nodelet for a change of its parameters; the answer comes in floor_settings.
   void askFloor(const std::string& method, bool calibrate);
   /// Takes back the stops up to this one and asks the stop gate to let the robot drive again, on a
@@ -59,6 +61,7 @@ class RosLink {
   std::mutex mutex_;
   std::condition_variable wake_;
   std::string master_id_;
+  std::atomic<bool> killed_{false};
   bool stopping_ = false;
   bool ended_ = false;
 };

@@ -19,6 +19,14 @@ namespace pilothouse::gui {
 namespace {
 constexpr double kRefusalShown = 6.0;  // s
 constexpr double kUsualCap = 0.3;      // m/s
+// Only what the gate itself says is called stopped.
+StopButton::State stopShown(const DriveSituation& s, bool held) {
+  if (held && (s.helm.stop || s.stop.cause != StopCause::kNotArmed)) {
+    return StopButton::State::kStopped;
+  }
+  return s.helm.stop ? StopButton::State::kUnconfirmed : StopButton::State::kReady;
+}
+
 }  // namespace
 
 DriveSituation driveSituationOf(const ConsoleState& state, const Helm& helm, double now) {
@@ -100,9 +108,9 @@ void DriveBar::refresh(double now) {
   cause_->show(words_);
   keys_->show(situation.helm);
   const bool gate = situation.stop_state.ever && situation.stop_state.age_s < 1.0;
-  const bool latched = situation.helm.stop || (gate && situation.stop.phase == GatePhase::kStopped);
-  stop_->show(situation.helm.stop || (gate && situation.stop.phase == GatePhase::kStopped &&
-                                      situation.stop.cause != StopCause::kNotArmed));
+  const bool held = gate && situation.stop.phase == GatePhase::kStopped;
+  const bool latched = situation.helm.stop || held;
+  stop_->show(stopShown(situation, held));
   arm_->show(latched ? tr("Hold to arm")
              : gate  ? tr("Armed")
                      : tr("Arm"),

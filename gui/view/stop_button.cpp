@@ -36,9 +36,9 @@ QSize StopButton::sizeHint() const {
   return {128, 48};
 }
 
-void StopButton::show(bool latched) {
-  if (latched_ == latched) return;
-  latched_ = latched;
+void StopButton::show(State state) {
+  if (state_ == state) return;
+  state_ = state;
   update();
 }
 
@@ -46,7 +46,7 @@ void StopButton::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   const QRectF box = QRectF(rect()).adjusted(1, 1, -1, -1);
-  painter.setPen(latched_ ? QPen(QColor(0xff, 0xd9, 0xd5), 2) : QPen(kRedDown, 1));
+  painter.setPen(state_ != State::kReady ? QPen(QColor(0xff, 0xd9, 0xd5), 2) : QPen(kRedDown, 1));
   painter.setBrush(isDown() ? kRedDown : underMouse() ? kRedHover : kRed);
   painter.drawRoundedRect(box, kRadius, kRadius);
   QPolygonF sign;
@@ -63,11 +63,12 @@ void StopButton::paintEvent(QPaintEvent*) {
   painter.drawRect(QRectF(middle.x() - 4.5, middle.y() - 4.5, 9, 9));
   painter.setPen(Qt::white);
   const QRectF text(46, box.top() + 4, box.right() - 50, box.height() - 8);
-  painter.setFont(bold(latched_ ? 16 : 21));
+  painter.setFont(bold(state_ == State::kStopped ? 16 : 21));
   painter.drawText(text.adjusted(0, 0, 0, -14), Qt::AlignCenter,
-                   latched_ ? tr("STOPPED") : tr("STOP"));
+                   state_ == State::kStopped ? tr("STOPPED") : tr("STOP"));
   painter.setFont(theme::smallFont());
-  painter.drawText(text, Qt::AlignHCenter | Qt::AlignBottom, tr("Space"));
+  painter.drawText(text, Qt::AlignHCenter | Qt::AlignBottom,
+                   state_ == State::kUnconfirmed ? tr("not confirmed") : tr("Space"));
 }
 
 HoldButton::HoldButton(QWidget* parent) : QAbstractButton(parent) {

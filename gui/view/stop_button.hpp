@@ -12,15 +12,20 @@ class StopButton : public QAbstractButton {
 
  public:
   explicit StopButton(QWidget* parent = nullptr);
-  /// @param latched the robot is held by a stop.
-  void show(bool latched);
+  enum class State {
+    kReady,
+    kUnconfirmed,  ///< pressed, but no gate has said that it holds the robot
+    kStopped,      ///< the gate says so
+  };
+  void show(State state);
+  State state() const { return state_; }
   QSize sizeHint() const override;
 
  protected:
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  bool latched_ = false;
+  State state_ = State::kReady;
 };
 
 /// Something risky that wants more than a click: it must be held until it is full. Only time that
