@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "gui/model/key_symbols.hpp"
 #include "gui/model/teleop.hpp"
 
 using namespace pilothouse;
@@ -55,6 +56,18 @@ struct Driver {
   std::vector<Twist2> sent;
   std::vector<double> times;
 };
+
+// The key beside Tab: q in us, a in fr, Cyrillic in ru; Space and the arrows have one group only.
+TEST(KeySymbols, areThoseOfTheActiveLayoutAndLatinWhereThatIsNot) {
+  constexpr unsigned long kCyrillic = 0x6ca, kUpArrow = 0xff52;
+  EXPECT_EQ(symbolIn({'q', 'a', 0, 0}, 0), 'q');
+  EXPECT_EQ(symbolIn({'q', 'a', 0, 0}, 1), 'a');
+  EXPECT_EQ(symbolIn({kCyrillic, 'q', 0, 0}, 1), 'q');
+  EXPECT_EQ(symbolIn({kCyrillic, 'q', 0, 0}, 0), 'q');
+  EXPECT_EQ(symbolIn({' ', 0, 0, 0}, 2), ' ') << "the stop key stops in every layout";
+  EXPECT_EQ(symbolIn({kUpArrow, 0, 0, 0}, 1), kUpArrow);
+  EXPECT_EQ(symbolIn({kCyrillic, 0, 0, 0}, 0), 0U);
+}
 
 TEST(Teleop, sendsNothingBeforeAPersonPressedSomething) {
   Driver driver;

@@ -11,6 +11,7 @@
 
 #include "gui/model/guarded.hpp"
 #include "gui/model/helm.hpp"
+#include "gui/model/key_symbols.hpp"
 // Last, for their macros. Xlibint: nothing else tells the mask of a client's ids.
 #include <X11/XKBlib.h>
 #include <X11/Xlib.h>
@@ -98,11 +99,21 @@ class XKeyWatcher : public KeyWatcher {
     if (cookie.evtype == XI_RawButtonPress && key->detail == Button1 && onTheStop()) helm_.stop();
     const auto code = static_cast<KeyCode>(key->detail);
     if (cookie.evtype == XI_RawKeyPress) {
-      pressed(code, XkbKeycodeToKeysym(display_, code, 0, 0));
+      pressed(code, symbolOf(code));
     } else if (cookie.evtype == XI_RawKeyRelease) {
       released(code);
     }
     XFreeEventData(display_, &cookie);
+  }
+
+  KeySym symbolOf(KeyCode code) {
+    XkbStateRec state{};
+    XkbGetState(display_, XkbUseCoreKbd, &state);
+    KeySymbols symbols{};
+    for (unsigned group = 0; group < symbols.size(); ++group) {
+      symbols[group] = XkbKeycodeToKeysym(display_, code, group, 0);
+    }
+    return symbolIn(symbols, state.group);
   }
 
   void pressed(KeyCode code, KeySym symbol) {
@@ -114,8 +125,8 @@ class XKeyWatcher : public KeyWatcher {
     if (!focused) return;
     if (stops) helm_.stop();
     if (!meaning || isShortcut()) return;
-    held_.emplace(code, *meaning);
-    helm_.press(*meaning);
+    // A key that is held keeps its meaning, whatever the layout is by now.
+    helm_.press(held_.emplace(code, *meaning).first->second);
   }
 
   // Heeded wherever the focus is: a release is never wrong.
