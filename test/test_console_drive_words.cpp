@@ -99,6 +99,46 @@ TEST(Words, aStopThatNobodyConfirmsIsNeverShownAsDone) {
   EXPECT_EQ(driveWords(s).headline, "Stop pressed, but no stop gate has answered yet");
 }
 
+TEST(Words, withoutAMasterTheGateStillSaysWhatHoldsTheRobot) {
+  auto s = ready();
+  s.connected = false;
+  EXPECT_EQ(driveWords(s).headline, "Driving by hand at 0.18 m/s");
+  EXPECT_EQ(driveWords(s).severity, Severity::kWarning);
+  EXPECT_NE(driveWords(s).advice.find("The ROS master is lost"), std::string::npos);
+  s.helm.stop = true;
+  EXPECT_EQ(driveWords(s).headline, "Stop pressed, not confirmed by the gate yet");
+  s.stop_state.age_s = 3.0;
+  EXPECT_EQ(driveWords(s).headline, "Stop pressed, but the stop gate is silent for 3.0 s");
+  s.helm.stop = false;
+  EXPECT_EQ(driveWords(s).headline, "No robot: no ROS master answers");
+}
+
+TEST(Words, ofALostMasterKeepWhatIsWrongWithTheStreams) {
+  Situation situation;
+  situation.now = 30.0;
+  situation.link.phase = LinkPhase::kLost;
+  situation.complaints.push_back({"motor driver", "overheated", true});
+  ExpectedStream depth{"depth", "depth", false, true, {}};
+  situation.streams.push_back(depth);
+  depth.state.ever = true;
+  depth.state.age_s = 7.0;
+  situation.streams.push_back(depth);
+  const auto all = notices(situation);
+  ASSERT_EQ(all.size(), 3U);
+  EXPECT_EQ(all[0].text.find("lost the master"), 0U);
+  EXPECT_EQ(all[1].text, "no depth for 7 s on depth");
+  EXPECT_EQ(all[2].text, "motor driver: overheated");
+}
+
+TEST(Words, aMasterThatHangsIsLost) {
+  LinkStatus link;
+  link.phase = LinkPhase::kConnected;
+  link.looked_at = 100.0;
+  EXPECT_EQ(linkAt(link, 101.0).phase, LinkPhase::kConnected);
+  EXPECT_EQ(linkAt(link, 110.0).phase, LinkPhase::kLost);
+  EXPECT_EQ(linkAt(link, 110.0).since, 100.0);
+}
+
 TEST(Words, everyCauseOfAStopHasWords) {
   std::set<std::string> all;
   for (int cause = 0; cause <= 10; ++cause) {

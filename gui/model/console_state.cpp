@@ -40,7 +40,7 @@ void addDriving(const ConsoleState& state, double now, Situation& situation) {
 Situation situationOf(const ConsoleState& state, const std::string& robot, double now) {
   Situation situation;
   situation.now = now;
-  situation.link = state.link.get();
+  situation.link = linkAt(state.link.get(), now);
   situation.complaints = state.complaints.get();
   const std::string fault = state.floor_settings.get().fault;
   if (!fault.empty()) situation.complaints.push_back({"floor parameters", fault, false});

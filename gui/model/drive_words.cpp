@@ -167,10 +167,11 @@ DriveWords gateWords(const DriveSituation& s) {
             "Watching only. Start the robot's side to drive"};
   }
   if (s.stop_state.age_s > kSilent) {
-    return {
-        Severity::kError,
-        "Stop gate silent for " + number(s.stop_state.age_s, "s", s.stop_state.age_s < 10 ? 1 : 0),
-        "The base halts by itself without it"};
+    const std::string age = number(s.stop_state.age_s, "s", s.stop_state.age_s < 10 ? 1 : 0);
+    return {Severity::kError,
+            s.helm.stop ? "Stop pressed, but the stop gate is silent for " + age
+                        : "Stop gate silent for " + age,
+            "The base halts by itself without it"};
   }
   if (s.helm.stop && s.stop.phase != GatePhase::kStopped) {
     return {Severity::kError, "Stop pressed, not confirmed by the gate yet", "Use the robot's own"};
@@ -232,7 +233,9 @@ std::string stopWords(const StopReading& stop) {
 }
 
 DriveWords driveWords(const DriveSituation& s) {
-  if (!s.connected) {
+  // Who drives and who stops needs no master once they have found each other.
+  const bool gate_speaks = s.stop_state.ever && s.stop_state.age_s <= kSilent;
+  if (!s.connected && !gate_speaks && !s.helm.stop) {
     return {Severity::kNote, "No robot: no ROS master answers",
             "Connects by itself when one starts"};
   }
@@ -252,6 +255,11 @@ DriveWords driveWords(const DriveSituation& s) {
   if (!s.contacts.touching.empty() && s.now - s.contacts.at < kContactShown) {
     words.severity = Severity::kError;
     words.headline = "Contact: touches " + s.contacts.touching.front();
+  }
+  if (!s.connected) {
+    words.severity = std::max(words.severity, Severity::kWarning);
+    words.advice = "The ROS master is lost; what runs goes on" +
+                   (words.advice.empty() ? "" : ". " + words.advice);
   }
   return words;
 }

@@ -96,6 +96,7 @@ void RosLink::setPhase(LinkPhase phase, double round_trip_ms) {
   while (!status.master_uri.empty() && status.master_uri.back() == '/')
     status.master_uri.pop_back();
   status.round_trip_ms = round_trip_ms;
+  status.looked_at = steadySeconds();
   state_.link.set(status);
 }
 

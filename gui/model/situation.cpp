@@ -8,6 +8,8 @@ namespace pilothouse::gui {
 
 namespace {
 
+constexpr double kMasterHangs = 4.0;  // s; it is asked once or twice a second
+
 std::string seconds(double s) {
   char text[32];
   if (s < 100.0) {
@@ -42,7 +44,9 @@ void aboutStream(const Situation& s, const ExpectedStream& stream, std::vector<N
     out.push_back({Severity::kError, stream.what + " rejected: " + state.rejection});
   }
   const Severity severity = stream.essential ? Severity::kWarning : Severity::kNote;
+  const bool connected = s.link.phase == LinkPhase::kConnected;
   if (!state.ever) {
+    if (!connected) return;  // who publishes is the master's to tell
     if (!stream.advertised) {
       out.push_back({severity, "no " + stream.what + ": nobody publishes " + topic});
     } else if (s.now - s.link.since >= 1.0 && state.rejection.empty()) {
@@ -57,10 +61,21 @@ void aboutStream(const Situation& s, const ExpectedStream& stream, std::vector<N
 
 }  // namespace
 
+LinkStatus linkAt(LinkStatus link, double now) {
+  const bool hangs = link.looked_at > 0.0 && now - link.looked_at > kMasterHangs;
+  if (link.phase == LinkPhase::kConnected && hangs) {
+    link.phase = LinkPhase::kLost;
+    link.since = link.looked_at;
+  }
+  return link;
+}
+
 std::vector<Notice> notices(const Situation& situation) {
   std::vector<Notice> out;
   aboutLink(situation, out);
-  if (situation.link.phase == LinkPhase::kConnected) {
+  // What was connected before the master went goes on without it.
+  const LinkPhase phase = situation.link.phase;
+  if (phase == LinkPhase::kConnected || phase == LinkPhase::kLost) {
     for (const auto& stream : situation.streams) aboutStream(situation, stream, out);
     if (situation.depth_without_info) {
       out.push_back({Severity::kWarning,

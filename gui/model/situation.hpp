@@ -18,7 +18,11 @@ struct LinkStatus {
   bool simulated_time = false;  ///< ROS time comes from /clock
   double since = 0.0;           ///< steady time when the phase began [s]
   std::string robot;            ///< /robot/name of the running system; empty when unknown
+  double looked_at = 0.0;       ///< steady time of the last answer or its lack [s]; 0: none yet
 };
+
+/// The status as it is now: a master that hangs lets nobody say that it is lost.
+LinkStatus linkAt(LinkStatus link, double now);
 
 /// One stream that the operator expects.
 struct ExpectedStream {

@@ -32,7 +32,7 @@ StopButton::State stopShown(const DriveSituation& s, bool held) {
 DriveSituation driveSituationOf(const ConsoleState& state, const Helm& helm, double now) {
   DriveSituation s;
   s.now = now;
-  s.connected = state.link.get().phase == LinkPhase::kConnected;
+  s.connected = linkAt(state.link.get(), now).phase == LinkPhase::kConnected;
   s.limit_state = state.limit.state(now);
   s.stop_state = state.gate.state(now);
   if (const auto limit = state.limit.latest()) s.limit = *limit;
