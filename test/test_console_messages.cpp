@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -275,6 +276,33 @@ TEST(Floor, badGridsAreRefusedWithAReason) {
       "");
   EXPECT_NE(reason([](auto& g) { g.info.origin.orientation.z = 0.7; }), "");
   EXPECT_EQ(reason([](auto& g) { g.classes[3] = 9; }), "class 9, expected 0 to 4");
+}
+
+// A list that nobody could draw many times a second is thinned, the gravest of each place stays.
+TEST(Conversions, ofVeryManyObjectsThoseThatMatterAreDrawn) {
+  ObjectList list;
+  Object object;
+  object.kind = Object::OBSTACLE;
+  object.size = 0.01F;
+  object.relevance = Object::OTHER;
+  for (int i = 0; i < 200000; ++i) {
+    object.position.x = static_cast<float>(i % 447) * 0.02F - 4.0F;
+    object.position.y = static_cast<float>(i / 447) * 0.02F - 4.0F;
+    list.objects.push_back(object);
+  }
+  list.objects[77777].relevance = Object::IN_THE_WAY;
+  const auto picture = objectsFromMessage(list);
+  ASSERT_TRUE(picture);
+  const auto& drawn = (*picture)->objects;
+  EXPECT_LE(drawn.size(), 5000U);
+  EXPECT_GE(drawn.size(), 1000U);
+  const auto red = std::find_if(drawn.begin(), drawn.end(),
+                                [](const auto& mark) { return mark.relevance == InTheWay::kYes; });
+  ASSERT_NE(red, drawn.end());
+  EXPECT_EQ(red->x, list.objects[77777].position.x) << "it stays where it is";
+  EXPECT_GT(red->size, 0.1F) << "and stands for its neighbours";
+  list.objects.resize(5000);
+  EXPECT_EQ((*objectsFromMessage(list))->objects.size(), 5000U) << "so many are drawn as they are";
 }
 
 TEST(Objects, badOnesAreRefused) {

@@ -320,6 +320,29 @@ TEST(MainWindow, fitsASmallScreen) {
   EXPECT_LE(window.minimumSizeHint().height(), 360);
 }
 
+// What others send in plenty must not hold the window up.
+TEST(StatusLine, itsDrawingTakesNoLongerTheMoreThereIsToTell) {
+  StatusLine line;
+  line.resize(1200, 30);
+  const auto quickest = [&](int complaints) {
+    Situation situation;
+    situation.link.phase = LinkPhase::kConnected;
+    for (int i = 0; i < complaints; ++i) {
+      situation.complaints.push_back({"joint " + std::to_string(i), std::string(300, 'y'), true});
+    }
+    line.show(situation);
+    line.grab();
+    double best = 1e9;
+    for (int i = 0; i < 7; ++i) {
+      const double began = steadySeconds();
+      line.grab();
+      best = std::min(best, steadySeconds() - began);
+    }
+    return best;
+  };
+  EXPECT_LT(quickest(640), 6.0 * quickest(40)) << "256 times were it quadratic";
+}
+
 TEST(Options, refusalsAreOneLine) {
   const auto reason = [](const QStringList& words) {
     const auto options = parseOptions(words);

@@ -1,4 +1,9 @@
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <unordered_map>
+#include <utility>
+#include <vector>
 
 #include "gui/model/class_colours.hpp"
 #include "gui/model/conversions.hpp"
@@ -9,6 +14,7 @@ namespace {
 
 constexpr std::uint32_t kMaxSide = 4096;
 constexpr std::size_t kMaxObjects = 200000;
+constexpr std::size_t kMostDrawnObjects = 5000;
 
 template <class T>
 std::string lengthFault(const char* name, const std::vector<T>& array, std::size_t expected) {
@@ -82,6 +88,38 @@ Converted<FloorPicture> floorFromMessage(const FloorGrid& grid) {
   return Result::of(std::move(picture));
 }
 
+namespace {
+
+// The gravest of each cell of a grid, which is as coarse as it takes to keep no more than can be
+// drawn many times a second; each then stands for its cell.
+void thin(std::vector<ObjectMark>& marks) {
+  const auto grave = [](const ObjectMark& mark) {
+    return std::make_pair(mark.relevance, mark.kind);
+  };
+  for (float cell = 0.02F; marks.size() > kMostDrawnObjects; cell *= 2.0F) {
+    std::unordered_map<std::uint64_t, std::size_t> places;
+    std::vector<ObjectMark> kept;
+    for (const auto& mark : marks) {
+      const auto column = static_cast<std::int32_t>(std::floor(mark.x / cell));
+      const auto row = static_cast<std::int32_t>(std::floor(mark.y / cell));
+      const std::uint64_t place = static_cast<std::uint64_t>(static_cast<std::uint32_t>(column))
+                                      << 32 |
+                                  static_cast<std::uint32_t>(row);
+      const auto [known, first] = places.emplace(place, kept.size());
+      if (first) {
+        kept.push_back(mark);
+      } else if (grave(mark) > grave(kept[known->second])) {
+        kept[known->second] = mark;
+      }
+      auto& stands = kept[known->second];
+      stands.size = std::max(stands.size, cell);
+    }
+    marks = std::move(kept);
+  }
+}
+
+}  // namespace
+
 Converted<ObjectsPicture> objectsFromMessage(const ObjectList& list) {
   using Result = Converted<ObjectsPicture>;
   if (list.objects.size() > kMaxObjects) {
@@ -108,6 +146,7 @@ Converted<ObjectsPicture> objectsFromMessage(const ObjectList& list) {
                                 object.nearest_in_row != 0, static_cast<InTheWay>(object.relevance),
                                 std::abs(p.z) < 1e3F ? p.z : NAN, object.remembered != 0});
   }
+  thin(picture->objects);
   return Result::of(std::move(picture));
 }
 

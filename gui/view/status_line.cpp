@@ -29,6 +29,8 @@ QString capitalised(QString text) {
 }
 
 const QString kBetween = QStringLiteral("   \u00b7   ");
+constexpr int kLongest = 400;   // characters; no line holds more
+constexpr int kMostInTip = 30;  // notices
 
 }  // namespace
 
@@ -52,9 +54,13 @@ void StatusLine::show(const Situation& situation) {
   QStringList sentences;
   for (const auto& notice : all) {
     const QString text = QString::fromStdString(notice.text);
-    tip += "<p>" + capitalised(text).toHtmlEscaped() + "</p>";
+    if (sentences.size() < kMostInTip) {
+      tip += "<p>" + capitalised(text.left(kLongest)).toHtmlEscaped() + "</p>";
+    }
     sentences << (sentences.isEmpty() ? capitalised(text) : text);
   }
+  const int hidden = sentences.size() - kMostInTip;
+  if (hidden > 0) tip += "<p>" + tr("and %1 more").arg(hidden) + "</p>";
   sentences_ = sentences;
   robot_ = QString::fromStdString(situation.robot);
   clock_ = situation.link.simulated_time ? tr("simulated time") : tr("wall clock");
@@ -69,16 +75,23 @@ void StatusLine::show(const Situation& situation) {
   update();
 }
 
+// As many as the line can hold; the rest is counted and stands in the tool tip. Nothing is measured
+// beyond the first that does not fit.
 QString StatusLine::fitted(const QFontMetrics& metrics, int width) const {
-  // As many as the line can hold; the rest is counted and stands in the tool tip.
-  for (int shown = sentences_.size(); shown > 0; --shown) {
-    QString text = sentences_.mid(0, shown).join(kBetween);
-    const int hidden = sentences_.size() - shown;
-    if (hidden > 0) text += kBetween + tr("and %1 more").arg(hidden);
-    if (metrics.horizontalAdvance(text) <= width) return text;
-    if (shown == 1) return metrics.elidedText(text, Qt::ElideRight, width);
+  const auto counted = [](int hidden) {
+    return hidden > 0 ? kBetween + tr("and %1 more").arg(hidden) : QString();
+  };
+  QString text;
+  for (int i = 0; i < sentences_.size(); ++i) {
+    const QString longer = (i > 0 ? text + kBetween : QString()) + sentences_[i].left(kLongest);
+    const int hidden = sentences_.size() - i - 1;
+    if (metrics.horizontalAdvance(longer + counted(hidden)) > width) {
+      return i > 0 ? text + counted(hidden + 1)
+                   : metrics.elidedText(longer + counted(hidden), Qt::ElideRight, width);
+    }
+    text = longer;
   }
-  return {};
+  return text;
 }
 
 void StatusLine::paintEvent(QPaintEvent*) {

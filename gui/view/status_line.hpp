@@ -9,7 +9,7 @@
 namespace pilothouse::gui {
 
 /// The line at the bottom: what is missing, in words; which robot, which clock, which master.
-/// The tool tip lists everything.
+/// The tool tip lists what the line has no room for.
 class StatusLine : public QWidget {
   Q_OBJECT
 
