@@ -6,17 +6,21 @@
 #include "nodelets/map_messages.hpp"
 
 namespace pilothouse {
-MapServices::MapServices(ros::NodeHandle& handle, MapKeeper& keeper, const std::string& map_frame) {
-  services_.push_back(offerFile(handle, "map/save",
-                                [&keeper](const std::string& name) { return keeper.save(name); }));
-  services_.push_back(offerFile(handle, "map/load",
-                                [&keeper](const std::string& name) { return keeper.load(name); }));
-  services_.push_back(offerTrigger(handle, "map/clear", [&keeper] {
+
+MapServices::MapServices(const ros::NodeHandle& handle, MapKeeper& keeper,
+                         const std::string& map_frame)
+    : services_(handle) {
+  ros::NodeHandle& own = services_.handle();
+  services_.keep(
+      offerFile(own, "map/save", [&keeper](const std::string& name) { return keeper.save(name); }));
+  services_.keep(
+      offerFile(own, "map/load", [&keeper](const std::string& name) { return keeper.load(name); }));
+  services_.keep(offerTrigger(own, "map/clear", [&keeper] {
     keeper.clear();
     return std::string("the map is empty; its files are as they were");
   }));
   using GetMap = nav_msgs::GetMap;
-  services_.push_back(handle.advertiseService<GetMap::Request, GetMap::Response>(
+  services_.keep(own.advertiseService<GetMap::Request, GetMap::Response>(
       "static_map", [&keeper, map_frame](GetMap::Request&, GetMap::Response& response) {
         MapKeeper::View view;
         keeper.look(view);

@@ -3,21 +3,20 @@
 #include <ros/node_handle.h>
 
 #include <string>
-#include <vector>
 
 #include "nodelets/map_keeper.hpp"
+#include "nodelets/service_thread.hpp"
 
 namespace pilothouse {
 
 /// map/save, map/load (MapFile), map/clear (Trigger) and map_server's static_map.
 class MapServices {
  public:
-  /// @param handle whose callbacks may take their time: a disk is waited for.
-  /// @param keeper must outlive this.
-  MapServices(ros::NodeHandle& handle, MapKeeper& keeper, const std::string& map_frame);
+  /// @param handle names are resolved by it. @param keeper must outlive this.
+  MapServices(const ros::NodeHandle& handle, MapKeeper& keeper, const std::string& map_frame);
 
  private:
-  std::vector<ros::ServiceServer> services_;
+  ServiceThread services_;
 };
 
 }  // namespace pilothouse

@@ -44,7 +44,7 @@ class Mapper : public nodelet::Nodelet {
     diagnostics_->setHardwareID("none");
     diagnostics_->add("map", this, &Mapper::report);
     listen();
-    services_ = std::make_unique<MapServices>(getMTNodeHandle(), *keeper_, settings_.map_frame);
+    services_ = std::make_unique<MapServices>(handle, *keeper_, settings_.map_frame);
     saving_ = std::make_unique<SteadyLoop>(settings_.autosave, [this] { keeper_->saveByItself(); });
     working_ = std::make_unique<SteadyLoop>(0.02, [this] { work(); });
   }

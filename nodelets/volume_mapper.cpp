@@ -8,6 +8,7 @@
 #include "nodelets/camera_info_pairing.hpp"
 #include "nodelets/file_service.hpp"
 #include "nodelets/input_health.hpp"
+#include "nodelets/service_thread.hpp"
 #include "nodelets/steady_loop.hpp"
 #include "nodelets/volume_mapper_settings.hpp"
 
@@ -119,12 +120,13 @@ class VolumeMapper : public nodelet::Nodelet {
   }
 
   void serve() {
-    ros::NodeHandle& many = getMTNodeHandle();
-    services_.push_back(offerFile(many, "volume/save",
-                                  [this](const std::string& name) { return keeper_->save(name); }));
-    services_.push_back(offerFile(many, "volume/load",
-                                  [this](const std::string& name) { return keeper_->load(name); }));
-    services_.push_back(offerTrigger(many, "volume/clear", [this] {
+    services_ = std::make_unique<ServiceThread>(getNodeHandle());
+    ros::NodeHandle& own = services_->handle();
+    services_->keep(offerFile(own, "volume/save",
+                              [this](const std::string& name) { return keeper_->save(name); }));
+    services_->keep(offerFile(own, "volume/load",
+                              [this](const std::string& name) { return keeper_->load(name); }));
+    services_->keep(offerTrigger(own, "volume/clear", [this] {
       keeper_->clear();
       return std::string("the octree is empty; its files are as they were");
     }));
@@ -162,7 +164,7 @@ class VolumeMapper : public nodelet::Nodelet {
   tf2_ros::TransformListener listener_{transforms_};
   std::unique_ptr<InputHealth> health_;
   ros::Subscriber image_, info_;
-  std::vector<ros::ServiceServer> services_;
+  std::unique_ptr<ServiceThread> services_;
   ros::Publisher cubes_, points_;
   std::unique_ptr<diagnostic_updater::Updater> diagnostics_;
   InputHealth::Clock::time_point next_diagnostics_, next_publishing_;

@@ -165,6 +165,17 @@ TEST(Mapper, TimeThatRunsBackLeavesTheMapUnharmed) {
   EXPECT_EQ(harness.at(1.0, 0.5), MapCell::kFree);
 }
 
+TEST(Mapper, EndsWhileMessagesCome) {
+  for (int round = 0; round < 15; ++round) {
+    MapperHarness harness;
+    ASSERT_TRUE(harness.load());
+    const FloorGrid grid = harness.grid(0.0);
+    ASSERT_TRUE(harness.run(1000.0, grid, [&] { return !harness.cells->all().empty(); }));
+    // It is taken while the nodelet is unloaded.
+    for (int i = 0; i < 8; ++i) harness.show(grid);
+  }
+}
+
 TEST(Mapper, CountsWhatItRefusesAndWhy) {
   MapperHarness harness;
   ASSERT_TRUE(harness.load());
