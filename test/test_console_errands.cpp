@@ -14,22 +14,12 @@
 
 #include "gui/model/clock.hpp"
 #include "gui/model/place_errands.hpp"
+#include "test/wait_for.hpp"
 
 using namespace pilothouse;
 using namespace pilothouse::gui;
 
 namespace {
-
-constexpr double kPatience = 30.0;  // s; far above what anything here takes
-
-bool waitFor(const std::function<bool()>& condition) {
-  const double until = steadySeconds() + kPatience;
-  while (steadySeconds() < until) {
-    if (condition()) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
-  return condition();
-}
 
 /// A service that is entered, and answers only where it is open.
 struct Door {
